@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/base/result.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace knittsim {
+
+/// Largest machine file that is read. 100,000 operations take about 2 MB.
+constexpr std::size_t kMaxFileBytes = std::size_t{256} << 20;
+
+/// Reads a whole file. Errors: KS0001, KS0007 (checked before memory is taken).
+Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxBytes = kMaxFileBytes);
+
+struct Written {};
+
+/// Writes to a temporary file beside `path` and renames it, so that `path` is never half written.
+/// Errors: KS0002; the temporary file is removed then.
+Result<Written> writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
+
+} // namespace knittsim

@@ -1,0 +1,123 @@
+#include "core/base/message_table.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace knittsim {
+
+namespace {
+
+// KS00xx files and resources, KS01xx reading machine data, KS02xx the machine, KS03xx physics, KS04xx drawing.
+constexpr auto kMessages = std::to_array<Message>({
+    {"KS0001", "cannot-read", "The file cannot be read: {0}.", "Check the path and the permissions."},
+    {"KS0002", "cannot-write", "The file cannot be written: {0}.", "Check the folder, its permissions and the free space."},
+    {"KS0003", "bad-json", "The file is not valid JSON: {0}.", "Correct the text at this place."},
+    {"KS0004", "bad-value", "'{0}' is {1}, expected {2}.", "Correct the value."},
+    {"KS0005", "missing-value", "'{0}' is missing, expected {1}.", "Add the value."},
+    {"KS0006", "unknown-format", "The format of the file is not known: {0}.", "Open a knitout file (.k or .knitout)."},
+    {"KS0007", "file-too-large", "The file has {0} bytes, the limit is {1}.", "Split the program."},
+    {"KS0008", "not-found", "{0} '{1}' does not exist.", "Choose one of: {2}."},
+
+    {"KS0101", "no-magic", "The first line is {0}, expected ';!knitout-2'.", "Write ';!knitout-2' as the first line."},
+    {"KS0102", "newer-version", "The file says it is knitout version {0}; this program knows version 2.",
+     "Check that nothing of the newer version is lost."},
+    {"KS0103", "no-carriers", "The header has no ';;Carriers:' line.", "Name the carriers, for example ';;Carriers: 1 2 3'."},
+    {"KS0104", "bad-header", "The value of ';;{0}:' is {1}, expected {2}.", "Correct the header line."},
+    {"KS0105", "duplicate-header", "The header ';;{0}:' appears again.", "Keep one of them; the first one counts."},
+    {"KS0106", "late-header", "A header line ';;{0}:' stands after the first operation.", "Move it to the top of the file."},
+    {"KS0107", "unknown-operation", "Found '{0}', expected an operation of knitout 2.", "Correct the spelling."},
+    {"KS0108", "wrong-argument", "Found {0}, expected {1}.", "Correct the operation."},
+    {"KS0109", "unknown-carrier", "Carrier '{0}' is not in the header.", "Add it to ';;Carriers:' or correct the name."},
+    {"KS0110", "carrier-twice", "Carrier '{0}' stands twice in one carrier set.", "Remove one of them."},
+    {"KS0111", "unknown-extension", "The extension '{0}' is kept but not simulated.", ""},
+    {"KS0112", "line-ends", "Lines end with CR LF, expected LF.", "Save the file with Unix line ends."},
+    {"KS0113", "not-utf8", "The line is not valid UTF-8.", "Save the file as UTF-8."},
+    {"KS0114", "missing-blank", "There is no blank after ';;{0}:'.", "Write ';;{0}: value'."},
+    {"KS0115", "too-many-problems", "More than {0} problems; reading stopped here.", "Correct the problems above first."},
+    {"KS0116", "line-too-long", "The line has {0} bytes, the limit is {1}.", "Check that this is a knitout file."},
+    {"KS0117", "too-many-carriers", "There are {0} carriers, the limit is {1}.", "Use fewer carriers."},
+    {"KS0118", "unicode-minus", "Found a typographic minus sign, expected '-'.", "Replace it by the minus of the keyboard."},
+    {"KS0119", "number-range", "{0} is {1}, expected {2} to {3}.", "Correct the number."},
+    {"KS0120", "unknown-header", "The header ';;{0}:' is kept but not used.", ""},
+    {"KS0121", "empty-file", "The file holds no operation.", "Check that the right file was chosen."},
+    {"KS0122", "nul-byte", "The file holds a NUL byte.", "Check that this is a text file."},
+
+    {"KS0201", "carrier-not-in", "Carrier {0} is used but was not brought in.", "Bring it in with 'in {0}' or 'inhook {0}'."},
+    {"KS0202", "carrier-in-twice", "Carrier {0} is brought in while it is in.", "Take it out first."},
+    {"KS0203", "carrier-out-unused", "Carrier {0} is taken out but is not in.", "Remove the operation."},
+    {"KS0204", "hook-busy", "The yarn inserting hook already holds a yarn.", "Release it first."},
+    {"KS0205", "hook-empty", "The hook is released but holds no yarn of carrier {0}.", "Remove the operation or bring the carrier in with 'inhook'."},
+    {"KS0206", "not-aligned", "{0} does not face {1} at racking {2}.", "Rack to {3} first."},
+    {"KS0207", "same-bed", "{0} and {1} lie on the same bed.", "Transfer over the other bed."},
+    {"KS0208", "needle-range", "{0} lies more than {1} needles from the first needle used.", "Correct the needle number."},
+    {"KS0209", "slider-loop", "A slider cannot make a loop: {0}.", "Knit on {1}."},
+    {"KS0210", "carrier-stays-in", "Carrier {0} is never taken out.", "End with 'out {0}' or 'outhook {0}'."},
+});
+
+static_assert(std::is_sorted(kMessages.begin(), kMessages.end(),
+                             [](const Message& a, const Message& b) { return a.id < b.id; }));
+
+} // namespace
+
+std::span<const Message> messages() { return kMessages; }
+
+const Message* findMessage(std::string_view id) {
+    const auto* found = std::lower_bound(kMessages.begin(), kMessages.end(), id,
+                                         [](const Message& m, std::string_view key) { return m.id < key; });
+    return found != kMessages.end() && found->id == id ? found : nullptr;
+}
+
+std::string fillMessage(std::string_view pattern, const std::vector<std::string>& arguments) {
+    std::string text;
+    text.reserve(pattern.size() + 32);
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+        std::size_t index = 0;
+        const std::size_t close = pattern[i] == '{' ? pattern.find('}', i) : std::string_view::npos;
+        if (close != std::string_view::npos) {
+            const char* first = pattern.data() + i + 1;
+            const char* last = pattern.data() + close;
+            const auto [end, error] = std::from_chars(first, last, index);
+            if (error == std::errc{} && end == last && index < arguments.size()) {
+                text += arguments[index];
+                i = close;
+                continue;
+            }
+        }
+        text += pattern[i];
+    }
+    return text;
+}
+
+std::string causeText(const Diagnostic& diagnostic) {
+    const Message* message = findMessage(diagnostic.id);
+    return message ? fillMessage(message->cause, diagnostic.arguments) : diagnostic.id;
+}
+
+std::string cureText(const Diagnostic& diagnostic) {
+    const Message* message = findMessage(diagnostic.id);
+    return message ? fillMessage(message->cure, diagnostic.arguments) : std::string();
+}
+
+std::string toLine(const Diagnostic& diagnostic) {
+    std::string line;
+    const Place& place = diagnostic.place;
+    if (!place.file.empty()) {
+        line += place.file + ':';
+        if (place.line > 0) {
+            line += std::to_string(place.line) + ':';
+        }
+        if (place.line > 0 && place.column > 0) {
+            line += std::to_string(place.column) + ':';
+        }
+        line += ' ';
+    }
+    line += std::string(toString(diagnostic.severity)) + ' ' + diagnostic.id + ": " + causeText(diagnostic);
+    const std::string cure = cureText(diagnostic);
+    if (!cure.empty()) {
+        line += ' ' + cure;
+    }
+    return line;
+}
+
+} // namespace knittsim
