@@ -13,12 +13,12 @@ std::string_view toString(Severity severity);
 
 /// Where a diagnostic belongs. Every field is optional; -1 or empty means "not known".
 struct Place {
-    std::string file;     ///< path as the caller gave it
+    std::string file{};   ///< path as the caller gave it
     int line = -1;        ///< 1-based line of the file
     int column = -1;      ///< 1-based byte column of the line
     int operation = -1;   ///< 0-based index into machine::Program::operations
     int course = -1;      ///< 0-based fabric course
-    std::string needle;   ///< "f5", "b-3", "fs2", ...
+    std::string needle{}; ///< "f5", "b-3", "fs2", ...
 
     bool operator==(const Place&) const = default;
 };

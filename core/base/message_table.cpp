@@ -50,9 +50,10 @@ constexpr auto kMessages = std::to_array<Message>({
     {"KS0205", "hook-empty", "The hook is released but holds no yarn of carrier {0}.", "Remove the operation or bring the carrier in with 'inhook'."},
     {"KS0206", "not-aligned", "{0} does not face {1} at racking {2}.", "Rack to {3} first."},
     {"KS0207", "same-bed", "{0} and {1} lie on the same bed.", "Transfer over the other bed."},
-    {"KS0208", "needle-range", "{0} lies more than {1} needles from the first needle used.", "Correct the needle number."},
+    {"KS0208", "needle-range", "{0} lies more than {1} needles from needle 0.", "Correct the needle number."},
     {"KS0209", "slider-loop", "A slider cannot make a loop: {0}.", "Knit on {1}."},
     {"KS0210", "carrier-stays-in", "Carrier {0} is never taken out.", "End with 'out {0}' or 'outhook {0}'."},
+    {"KS0211", "too-many-findings", "More than {0} problems; the rest is not listed.", "Correct the problems above first."},
 });
 
 static_assert(std::is_sorted(kMessages.begin(), kMessages.end(),

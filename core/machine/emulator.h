@@ -6,6 +6,8 @@
 #include "core/machine/state.h"
 
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace knittsim::machine {
 
@@ -41,43 +43,50 @@ public:
 /// a program with faults still shows. Only an impossible transfer leaves its loops where they are.
 class Emulator {
 public:
-    /// Both must outlive the emulator.
+    /// Starts with empty beds. Both must outlive the emulator.
     Emulator(const Program& program, const MachineProfile& profile);
 
-    /// Continues from a state of the same program. `loops` must hold at least the loops of that state.
-    Emulator(const Program& program, const MachineProfile& profile, MachineState state, LoopTable loops);
+    /// Replays from a state of the same program; the loops are known already, so loops() stays empty.
+    Emulator(const Program& program, const MachineProfile& profile, MachineState state);
 
     const MachineState& state() const { return m_state; }
+    MachineState takeState() { return std::move(m_state); }
     const LoopTable& loops() const { return m_loops; }
     LoopTable takeLoops() { return std::move(m_loops); }
     bool atEnd() const;
 
-    /// Carries out the next operation. `diagnostics` may be null.
+    /// Carries out the next operation. Both may be null.
     void step(EmulationListener* listener = nullptr, Diagnostics* diagnostics = nullptr);
 
 private:
-    struct Report;
+    class Report;
 
-    void bringIn(const Operation& op, const Report& report, bool hook);
+    void bringIn(const Operation& op, const Report& report);
     void takeOut(const Operation& op, const Report& report, EmulationListener* listener);
-    void moveYarns(const Operation& op, EmulationListener* listener, const Report& report);
-    void makeLoops(const Operation& op, EmulationListener* listener);
-    void moveLoops(Needle from, Needle to, const CarrierSet& except, EmulationListener* listener);
+    void placeYarns(const Operation& op);
+    void knit(Operation op, const Report& report, EmulationListener* listener);
+    void transfer(const Operation& op, const Report& report, EmulationListener* listener);
+    void drop(Needle needle, EmulationListener* listener);
+    void useCarriers(const CarrierSet& carriers, const Report& report);
+    void moveYarn(CarrierIndex carrier, const CarrierPlace& to, EmulationListener* listener);
+    void hangLoops(const Operation& op, EmulationListener* listener);
+    void moveLoops(Needle from, Needle to, const CarrierSet& staying, EmulationListener* listener);
     bool canTransfer(const Operation& op, const Report& report) const;
-    bool canKnit(const Operation& op, const Report& report) const;
-    bool inRange(Needle needle, const Report& report);
+    bool inRange(const Operation& op, const Report& report);
     void startYarn(CarrierIndex carrier);
+    std::vector<LoopIndex>& loopsOn(Needle needle);
+    CarrierState& carrier(CarrierIndex index) { return m_state.carriers[index]; }
 
     const Program& m_program;
     const MachineProfile& m_profile;
     MachineState m_state;
     LoopTable m_loops;
-    std::int32_t m_origin = 0;      ///< first needle used, see kMaxNeedleSpan
-    bool m_hasOrigin = false;
-    std::vector<LoopIndex> m_scratch;
+    bool m_replay = false;
+    std::vector<LoopIndex> m_parents;   ///< loops the present operation draws through
 };
 
-/// Needles farther than this from the first needle used are refused (KS0208), so that memory stays bounded.
-constexpr std::int32_t kMaxNeedleSpan = 20000;
+/// Needles farther than this from needle 0 are refused (KS0208), so that memory stays bounded. Real beds have
+/// fewer than 1,500 needles.
+constexpr std::int32_t kMaxNeedleIndex = 4000;
 
 } // namespace knittsim::machine
