@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/yarn/yarn.h"
+
+#include <cstdint>
+
+namespace knittsim::render {
+
+/// How yarns are drawn.
+enum class DrawStyle : std::uint8_t {
+    Strokes, ///< the paper's three strokes: wide and dark, narrower, thin bright dotted
+    Yarn,    ///< lit round yarn with plies
+    Mesh,    ///< bonding points and the yarn between them, straight
+};
+
+/// What the renderer needs to know of a yarn. Plain value.
+struct YarnLook {
+    yarn::Colour colour;
+    double diameterMm = 0.36; ///< as drawn: the hull of the fibres
+    int plies = 2;
+    double twistPerMetre = 300; ///< positive = S
+    double hairiness = 0.3;     ///< 0..1
+    double gloss = 0.3;         ///< 0 (chalk) .. 1 (silk)
+    double melange = 0;         ///< 0..1
+
+    bool operator==(const YarnLook&) const = default;
+};
+
+/// The look of a yarn; change `colour` afterwards where the program names another one.
+YarnLook lookOf(const yarn::Yarn& yarn);
+
+} // namespace knittsim::render

@@ -1,0 +1,103 @@
+#pragma once
+
+#include "core/fabric/fabric.h"
+#include "core/simulation/frame.h"
+#include "ui/render/look.h"
+
+#include <QByteArray>
+#include <QOpenGLWidget>
+#include <QVector3D>
+
+#include <memory>
+#include <vector>
+
+namespace knittsim::ui {
+
+/// The fabric in three dimensions. Draws only when something changed; curves are built on a worker thread,
+/// the latest picture wins. Without OpenGL 3.3 it says so (glFailed) and paints the fabric flat with
+/// QPainter.
+///
+/// Mouse: left drag orbits, middle or Shift+left drag pans, wheel zooms at the cursor, click selects a
+/// stitch, Ctrl+left drag (or any left drag in drag mode) on yarn pulls its bonding point. All functions:
+/// window thread.
+class FabricView : public QOpenGLWidget {
+    Q_OBJECT
+
+public:
+    explicit FabricView(QWidget* parent = nullptr);
+    ~FabricView() override;
+
+    /// Shows another fabric at its machine positions until a frame comes. `looks` by carrier. Keeps the
+    /// camera; the first fabric after an empty view is fitted. Null empties the view.
+    void setFabric(std::shared_ptr<const fabric::Fabric> fabric, std::vector<render::YarnLook> looks);
+
+    /// New positions. Frames whose position count does not match the fabric are ignored.
+    void setFrame(std::shared_ptr<const simulation::Frame> frame);
+
+    /// Colours and surfaces by carrier; never touches the shape, except where a diameter changed.
+    void setLooks(std::vector<render::YarnLook> looks);
+
+    void setStyle(render::DrawStyle style);
+    render::DrawStyle style() const;
+
+    /// Highlights one loop (index into Fabric::loops); -1 for none. Emits nothing.
+    void setSelection(int loop);
+    int selection() const;
+
+    /// Moves the camera so that a loop lies in the middle; keeps direction and zoom.
+    void centreOn(int loop);
+
+    void fit();
+    void lookFront();
+    void lookBack();
+    void lookTop();
+    void lookBottom();
+    void lookLeft();
+    void lookRight();
+    void zoomBy(double factor); ///< > 1 comes nearer, about the middle
+
+    void setOrthographic(bool on);
+    bool isOrthographic() const;
+    void setDark(bool on);     ///< dark or light background
+    void setDragMode(bool on); ///< plain left drag pulls bonding points
+
+    /// Camera direction, place, zoom and kind of projection. restoreCamera() returns false for foreign bytes.
+    QByteArray saveCamera() const;
+    bool restoreCamera(const QByteArray& bytes);
+
+    bool hasOpenGl() const;       ///< false after glFailed
+    QString rendererName() const; ///< GL_RENDERER, empty before the first paint or without OpenGL
+    double lastPaintMs() const;   ///< time of the last drawn frame on this thread
+
+    /// The picture as shown, without badge and scale bar, also without OpenGL.
+    QImage picture();
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+signals:
+    void loopClicked(int loop);                   ///< -1: clicked beside the yarn
+    void loopHovered(int loop);                   ///< -1: left the yarn
+    void dragMoved(int entry, QVector3D pointMm); ///< entry of the bonding point table
+    void dragEnded();
+    void glFailed(QString reason); ///< once; a sentence for the user
+
+protected:
+    void initializeGL() override;
+    void resizeGL(int width, int height) override;
+    void paintGL() override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> m;
+};
+
+} // namespace knittsim::ui
