@@ -21,15 +21,15 @@ using EntryIndex = std::int32_t;   ///< row of the bonding point table
 using PointIndex = std::int32_t;   ///< index into Fabric::points
 
 /// Foot: where a loop comes through the loops below it. Head: where the next loop comes through it.
-/// Crossing: where two strands pass each other without being drawn through. End: the free end of a yarn.
-enum class Role : std::uint8_t { Foot, Head, Crossing, End };
+/// Crossing: where two strands pass each other without being drawn through.
+enum class Role : std::uint8_t { Foot, Head, Crossing };
 
 enum class Side : std::uint8_t { Left, Right };
 
 /// A bonding point with its history.
 struct BondingPoint {
     EntryIndex entry = -1;           ///< its place in the bonding point table
-    LoopIndex loop = -1;             ///< loop it belongs to; -1 on a float or at a yarn end
+    LoopIndex loop = -1;             ///< loop it belongs to; on a float: the loop it leads to
     OperationIndex operation = -1;   ///< that made the loop or the crossing
     Needle needle;                   ///< where that happened
     Role role = Role::Head;

@@ -144,8 +144,9 @@ void Emulator::takeOut(const Operation& op, const Report& report, EmulationListe
         if (listener != nullptr) {
             listener->yarnCut(c);
         }
-        carrier(c).in = false;
-        carrier(c).placed = false;
+        const std::int32_t yarn = carrier(c).yarn;
+        carrier(c) = {};
+        carrier(c).yarn = yarn;
     }
 }
 
@@ -169,10 +170,8 @@ void Emulator::useCarriers(const CarrierSet& carriers, const Report& report) {
 
 void Emulator::moveYarn(CarrierIndex index, const CarrierPlace& to, EmulationListener* listener) {
     CarrierState& state = carrier(index);
-    if (state.placed) {
-        // One pitch of the way is the sinker, which the loop length includes.
-        const double way = std::abs(to.pitches - state.place.pitches);
-        state.fedMm += std::max(0.0, way - 1) * m_profile.pitchMm();
+    if (state.looped) {
+        state.wayPitches += std::abs(to.pitches - state.place.pitches);
     }
     if (listener != nullptr) {
         listener->yarnMoved(index, state.placed ? &state.place : nullptr, to);
@@ -218,6 +217,8 @@ void Emulator::hangLoops(const Operation& op, EmulationListener* listener) {
     }
     for (const CarrierIndex c : op.carriers) {
         CarrierState& state = carrier(c);
+        // One pitch of the way is the sinker, which the loop length includes.
+        state.fedMm += std::max(0.0, state.wayPitches - 1) * m_profile.pitchMm();
         const double begin = state.fedMm;
         state.fedMm += m_state.loopLengthMm;
         if (!m_replay) {
@@ -228,6 +229,7 @@ void Emulator::hangLoops(const Operation& op, EmulationListener* listener) {
                                      .needle = op.needle,
                                      .rack = m_state.rack,
                                      .lengthMm = m_state.loopLengthMm,
+                                     .wayPitches = state.wayPitches,
                                      .yarnBeginMm = begin,
                                      .yarnEndMm = state.fedMm,
                                      .firstParent = firstParent,
@@ -240,6 +242,8 @@ void Emulator::hangLoops(const Operation& op, EmulationListener* listener) {
             listener->loopMade(loop);
         }
         state.place = {op.needle, op.direction, at};
+        state.looped = true;
+        state.wayPitches = 0;
     }
 }
 

@@ -19,7 +19,8 @@ struct Loop {
     Needle needle;                     ///< on which it was made
     double rack = 0;                   ///< racking then, pitches
     double lengthMm = 0;               ///< yarn of the loop from the stitch size
-    double yarnBeginMm = 0;            ///< arc length along its yarn where the loop begins
+    double wayPitches = 0;             ///< way of the yarn from the loop before it; 0 for the first of a yarn
+    double yarnBeginMm = 0;            ///< arc length along its yarn where the loop with its sinker begins
     double yarnEndMm = 0;
     std::int32_t firstParent = 0;      ///< into LoopTable::parents
     std::int32_t parentCount = 0;      ///< loops it was pulled through, in the order of the needle's stack

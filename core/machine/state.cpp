@@ -65,9 +65,10 @@ void addBed(Digest& digest, const NeedleRow& row) {
 }
 
 void addCarrier(Digest& digest, const CarrierState& carrier) {
-    digest.add(static_cast<std::int32_t>(carrier.in) * 2 + static_cast<std::int32_t>(carrier.placed));
+    digest.add((carrier.in ? 4 : 0) + (carrier.placed ? 2 : 0) + (carrier.looped ? 1 : 0));
     digest.add(carrier.yarn);
     digest.add(carrier.fedMm);
+    digest.add(carrier.wayPitches);
     if (carrier.placed) {
         digest.add(static_cast<std::int32_t>(carrier.place.needle.bed));
         digest.add(carrier.place.needle.index);

@@ -1,0 +1,62 @@
+#include "core/fabric/course_numbers.h"
+
+#include <algorithm>
+
+namespace knittsim::fabric {
+
+namespace {
+
+/// Looks at the loops of one pass; loops of earlier passes have their course already.
+class PassCourse {
+public:
+    void knit(std::int32_t parentCourse) { m_knit = std::max(m_knit, parentCourse + 1); }
+    void continues(std::int32_t course) { m_before = std::max(m_before, course); }
+
+    /// A pass that draws nothing through (cast-on, tucks only) lies in the course of its yarn's last pass.
+    std::int32_t course() const { return m_knit >= 0 ? m_knit : std::max(m_before, 0); }
+
+private:
+    std::int32_t m_knit = -1;
+    std::int32_t m_before = -1;
+};
+
+} // namespace
+
+CourseNumbers numberCourses(const machine::Timeline& timeline) {
+    CourseNumbers numbers;
+    numbers.passes = machine::findPasses(timeline.program());
+    numbers.passOfOperation.assign(static_cast<std::size_t>(timeline.operationCount()), -1);
+    numbers.courseOfPass.assign(numbers.passes.size(), 0);
+    for (std::size_t p = 0; p < numbers.passes.size(); ++p) {
+        const machine::Pass& pass = numbers.passes[p];
+        std::fill_n(numbers.passOfOperation.begin() + pass.first, pass.count, static_cast<std::int32_t>(p));
+    }
+
+    const machine::LoopTable& table = timeline.loops();
+    std::vector<std::int32_t> lastCourseOfYarn(static_cast<std::size_t>(timeline.finalState().yarnCount), -1);
+    std::size_t i = 0;
+    while (i < table.loops.size()) {
+        const std::int32_t passIndex = numbers.passOfOperation[static_cast<std::size_t>(table.loops[i].operation)];
+        PassCourse pass;
+        const std::size_t first = i;
+        for (; i < table.loops.size(); ++i) {
+            const machine::Loop& loop = table.loops[i];
+            if (numbers.passOfOperation[static_cast<std::size_t>(loop.operation)] != passIndex) {
+                break;
+            }
+            pass.continues(lastCourseOfYarn[static_cast<std::size_t>(loop.yarn)]);
+            for (const machine::LoopIndex parent : table.parentsOf(static_cast<machine::LoopIndex>(i))) {
+                if (static_cast<std::size_t>(parent) < first) {
+                    pass.knit(numbers.courseOf(table.loops[static_cast<std::size_t>(parent)].operation));
+                }
+            }
+        }
+        numbers.courseOfPass[static_cast<std::size_t>(passIndex)] = pass.course();
+        for (std::size_t made = first; made < i; ++made) {
+            lastCourseOfYarn[static_cast<std::size_t>(table.loops[made].yarn)] = pass.course();
+        }
+    }
+    return numbers;
+}
+
+} // namespace knittsim::fabric

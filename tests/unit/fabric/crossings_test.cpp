@@ -1,0 +1,160 @@
+#include "tests/support/build.h"
+
+#include <gmock/gmock.h>
+#include <set>
+
+namespace knittsim::fabric {
+namespace {
+
+using test::build;
+using test::pass;
+
+/// Ordered pairs (front loop, rear loop) of all crossings of legs.
+std::multiset<std::pair<LoopIndex, LoopIndex>> loopPairs(const Fabric& fabric) {
+    std::multiset<std::pair<LoopIndex, LoopIndex>> pairs;
+    for (const Crossing& crossing : fabric.crossings) {
+        pairs.emplace(fabric.points[static_cast<std::size_t>(crossing.over)].loop,
+                      fabric.points[static_cast<std::size_t>(crossing.under)].loop);
+    }
+    return pairs;
+}
+
+const std::string kFour = "in 1\n" + pass("knit", 'f', 0, 3, 1);
+const std::string kAllToRear = "xfer f0 b0\nxfer f1 b1\nxfer f2 b2\nxfer f3 b3\n";
+const std::string kBackRow = pass("knit", 'f', 3, 0, 1);
+
+/// Two loops change places with their two neighbours; the loops that come to the front first lie in front.
+std::string cable(int rackFirst) {
+    const bool right = rackFirst > 0;
+    return kFour + kAllToRear + "rack " + std::to_string(rackFirst) + "\n" +
+           (right ? "xfer b0 f2\nxfer b1 f3\n" : "xfer b2 f0\nxfer b3 f1\n") + "rack " + std::to_string(-rackFirst) +
+           "\n" + (right ? "xfer b2 f0\nxfer b3 f1\n" : "xfer b0 f2\nxfer b1 f3\n") + "rack 0\n" + kBackRow;
+}
+
+TEST(Crossings, TwoByTwoCableHasSixteenWithTheMachinesFrontStrand) {
+    const Fabric right = build(cable(2));
+    ASSERT_EQ(right.crossings.size(), 16U);
+    for (const auto& [over, under] : loopPairs(right)) {
+        EXPECT_LT(over, 2);
+        EXPECT_GE(under, 2);
+    }
+    for (const Crossing& crossing : right.crossings) {
+        EXPECT_EQ(crossing.sign, 1) << "the front loops went to the right";
+    }
+}
+
+TEST(Crossings, MirroredCableHasMirroredCrossings) {
+    const auto right = loopPairs(build(cable(2)));
+    std::multiset<std::pair<LoopIndex, LoopIndex>> mirrored;
+    const Fabric left = build(cable(-2));
+    for (const auto& [over, under] : loopPairs(left)) {
+        mirrored.emplace(3 - over, 3 - under);
+    }
+    EXPECT_EQ(right, mirrored);
+    for (const Crossing& crossing : left.crossings) {
+        EXPECT_EQ(crossing.sign, -1);
+    }
+}
+
+TEST(Crossings, TransferThereAndBackLeavesNone) {
+    EXPECT_TRUE(build(kFour + kAllToRear + "xfer b0 f0\nxfer b1 f1\nxfer b2 f2\nxfer b3 f3\n" + kBackRow)
+                    .crossings.empty());
+}
+
+TEST(Crossings, RackThereAndBackLeavesNone) {
+    EXPECT_TRUE(build(kFour + "xfer f0 b0\nxfer f2 b2\nrack 3\nrack -2\nrack 0.25\nrack 0\nxfer b0 f0\nxfer b2 f2\n" +
+                      kBackRow)
+                    .crossings.empty());
+}
+
+TEST(Crossings, ACableUndoneTheWayItCameCancels) {
+    const std::string there = kFour + "xfer f0 b0\nrack 2\n";
+    EXPECT_EQ(build(there + "rack 2.25\n").crossings.size(), 8U) << "passes f1 and f2";
+    EXPECT_TRUE(build(there + "rack 0\nxfer b0 f0\n" + kBackRow).crossings.empty());
+}
+
+TEST(Crossings, FacingLoopsHaveNotPassed) {
+    const std::string facing = kFour + "xfer f0 b0\nrack 1\n";
+    EXPECT_TRUE(build(facing).crossings.empty());
+    EXPECT_TRUE(build(facing + "rack 0.5\n").crossings.empty());
+    EXPECT_EQ(build(facing + "rack 1.25\n").crossings.size(), 4U);
+}
+
+TEST(Crossings, AFullTwistIsNotUndone) {
+    // The loop passes behind its neighbour, both change beds, and it comes back in front of it.
+    const Fabric fabric = build("in 1\n" + pass("knit", 'f', 0, 1, 1) +
+                                "xfer f0 b0\nrack 2\nxfer b0 f2\nrack 0\nxfer f1 b1\nrack 2\nrack 0\n"
+                                "xfer b1 f1\n");
+    EXPECT_EQ(fabric.crossings.size(), 4U + 4U - 4U) << "the second loop passes behind and comes back";
+    const Fabric twist = build("in 1\n" + pass("knit", 'f', 0, 1, 1) +
+                               "xfer f0 b0\nrack 2\nxfer b0 f2\nrack 0\nxfer f1 b1\nrack 2\nxfer b1 f3\nrack 0\n");
+    EXPECT_EQ(twist.crossings.size(), 8U);
+}
+
+TEST(Crossings, AFloatRunsBetweenTheBeds) {
+    // Carrier 2 floats from needle 0 to needle 3; needle 1 holds a front loop, needle 2 a rear loop.
+    const Fabric fabric = build("in 1\nknit + f1 1\nknit + b2 1\nin 2\nknit + f0 2\nknit + f3 2\n");
+    const auto pairs = loopPairs(fabric);
+    EXPECT_EQ(pairs.count({0, 3}), 2U) << "front loop in front of the float";
+    EXPECT_EQ(pairs.count({3, 1}), 2U) << "float in front of the rear loop";
+    // The parked carrier 1 hangs behind needle 2; its yarn leads to no further loop.
+    EXPECT_EQ(pairs.size(), 4U);
+}
+
+TEST(Crossings, AMissThereAndBackLeavesNone) {
+    EXPECT_TRUE(build(kFour + "miss - f0 1\nmiss + f3 1\n" + kBackRow).crossings.empty());
+}
+
+TEST(Crossings, TubeLayersDoNotCross) {
+    std::string lines = "in 1\n" + pass("knit", 'f', 0, 5, 1) + pass("knit", 'b', 5, 0, 1);
+    lines += pass("knit", 'f', 0, 5, 1) + pass("knit", 'b', 5, 0, 1);
+    EXPECT_TRUE(build(lines).crossings.empty());
+}
+
+TEST(Crossings, TheFrontRailLiesInFrontAtAnIntarsiaJoin) {
+    // Carrier 1 (front rail) tucks on the neighbour's needle, past carrier 3, which stands there.
+    const Fabric fabric = build("in 1\nin 3\n" + pass("knit", 'f', 0, 2, 1) + pass("knit", 'f', 5, 3, 3) +
+                                "tuck + f3 1\n" + pass("knit", 'f', 2, 0, 1) + pass("knit", 'f', 3, 5, 3));
+    int yarnCrossings = 0;
+    for (const Crossing& crossing : fabric.crossings) {
+        const auto carrier = [&](PointIndex p) {
+            return fabric.made.loops[static_cast<std::size_t>(fabric.points[static_cast<std::size_t>(p)].loop)].carrier;
+        };
+        if (carrier(crossing.over) != carrier(crossing.under)) {
+            EXPECT_EQ(carrier(crossing.over), 0);
+            ++yarnCrossings;
+        }
+    }
+    EXPECT_GT(yarnCrossings, 0);
+}
+
+TEST(Crossings, PlatedYarnsRunSideBySide) {
+    EXPECT_TRUE(build("in 1 2\n" + std::string("knit + f0 1 2\nknit + f1 1 2\nknit + f2 1 2\nknit - f2 1 2\n"
+                                               "knit - f1 1 2\nknit - f0 1 2\n"))
+                    .crossings.empty());
+}
+
+TEST(Crossings, EveryCrossingIsOnePlaceOfTwoStrands) {
+    const Fabric fabric = build(cable(2));
+    for (std::size_t i = 0; i < fabric.crossings.size(); ++i) {
+        const BondingPoint& over = fabric.points[static_cast<std::size_t>(fabric.crossings[i].over)];
+        const BondingPoint& under = fabric.points[static_cast<std::size_t>(fabric.crossings[i].under)];
+        EXPECT_EQ(over.entry, under.entry);
+        EXPECT_EQ(over.front, 1);
+        EXPECT_EQ(under.front, -1);
+        EXPECT_EQ(fabric.at(over.entry).size(), 2U);
+    }
+}
+
+TEST(Crossings, MachinePositionsAreFiniteAndDistinct) {
+    const Fabric fabric = build(cable(2));
+    std::set<std::tuple<double, double, double>> places;
+    for (const Vec3& place : fabric.machinePositions) {
+        EXPECT_TRUE(place.allFinite());
+        places.emplace(place.x(), place.y(), place.z());
+    }
+    EXPECT_GT(places.size(), fabric.machinePositions.size() * 3 / 4);
+}
+
+} // namespace
+} // namespace knittsim::fabric
