@@ -1,0 +1,235 @@
+#include "core/formats/knitout/reader.h"
+
+#include "core/base/file.h"
+#include "core/formats/knitout/header_reader.h"
+#include "core/formats/knitout/operation_reader.h"
+#include "core/formats/problems.h"
+#include "core/formats/text.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace knittsim::formats::knitout {
+
+namespace {
+
+constexpr std::string_view kMagic = ";!knitout-";
+constexpr std::string_view kSource = ";!source:";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr int kKnownVersion = 2;
+constexpr int kMaxVersion = 1'000'000;
+
+bool startsWith(std::string_view text, std::string_view prefix) {
+    return text.substr(0, prefix.size()) == prefix;
+}
+
+class Reader {
+public:
+    Reader(std::string_view text, const std::string& file)
+        : m_text(text), m_problems(file, kMaxProblems), m_header(m_program.header, m_problems),
+          m_operations(m_program, m_problems) {
+        m_program.file = file;
+    }
+
+    Result<machine::Program> run();
+
+private:
+    void readMagic();
+    void readLine(std::string_view line);
+    bool checkBytes(std::string_view& line);
+    void readHeaderLine(const HeaderLine& header);
+    void readBody(std::string_view line);
+    void beginBody();
+    void checkEnd();
+    bool tooMany();
+
+    std::string_view m_text;
+    machine::Program m_program;
+    Problems m_problems;
+    HeaderReader m_header;
+    OperationReader m_operations;
+    std::string m_repaired; ///< copy of a line that is not UTF-8
+    int m_line = 0;
+    bool m_magic = false;
+    bool m_headerEnded = false; ///< by a line that is no header line
+    bool m_inBody = false;      ///< an operation was seen
+    bool m_saidLineEnds = false;
+    bool m_saidNotUtf8 = false;
+    bool m_saidNul = false;
+};
+
+Result<machine::Program> Reader::run() {
+    readMagic();
+    while (!m_text.empty() && !m_problems.full()) {
+        const std::size_t end = m_text.find('\n');
+        const std::string_view line = m_text.substr(0, end);
+        m_text.remove_prefix(end == std::string_view::npos ? m_text.size() : end + 1);
+        ++m_line;
+        readLine(line);
+        if (tooMany()) {
+            break;
+        }
+    }
+    checkEnd();
+    if (m_problems.errorCount() > 0) {
+        return Result<machine::Program>::failure(m_problems.take());
+    }
+    return {std::move(m_program), m_problems.take()};
+}
+
+/// Takes the first line when it is the magic line, else leaves the text as it is.
+void Reader::readMagic() {
+    if (startsWith(m_text, kByteOrderMark)) {
+        m_problems.warn("KS0101", {1, 1}, {"a byte order mark"});
+        m_text.remove_prefix(kByteOrderMark.size());
+    }
+    const std::size_t end = m_text.find('\n');
+    std::string_view line = m_text.substr(0, end);
+    const bool carriageReturn = !line.empty() && line.back() == '\r';
+    line.remove_suffix(carriageReturn ? 1 : 0);
+    const std::string_view number = startsWith(line, kMagic) ? trim(line.substr(kMagic.size())) : "";
+    const std::optional<std::int64_t> version = parseInteger(number);
+    if (!version || *version < 0 || *version > kMaxVersion) {
+        m_problems.warn("KS0101", {1, 1}, {quoted(line)});
+        return;
+    }
+    m_magic = true;
+    m_program.header.version = static_cast<int>(*version);
+    if (*version > kKnownVersion) {
+        m_problems.warn("KS0102", {1, static_cast<int>(kMagic.size()) + 1}, {std::to_string(*version)});
+    }
+    if (carriageReturn) {
+        m_problems.warn("KS0112", {1, static_cast<int>(line.size()) + 1});
+        m_saidLineEnds = true;
+    }
+    m_text.remove_prefix(end == std::string_view::npos ? m_text.size() : end + 1);
+    m_line = 1;
+}
+
+void Reader::readLine(std::string_view line) {
+    if (!line.empty() && line.back() == '\r') {
+        line.remove_suffix(1);
+        if (!std::exchange(m_saidLineEnds, true)) {
+            m_problems.warn("KS0112", {m_line, static_cast<int>(line.size() % kMaxLineBytes) + 1});
+        }
+    }
+    if (!checkBytes(line)) {
+        return;
+    }
+    if (startsWith(line, ";;")) {
+        if (const auto header = splitHeader(line)) {
+            readHeaderLine(*header);
+        }
+        return;
+    }
+    m_headerEnded = true;
+    readBody(line);
+}
+
+/// Refuses lines that are no text; repairs lines that are not UTF-8.
+bool Reader::checkBytes(std::string_view& line) {
+    if (line.size() > kMaxLineBytes) {
+        m_problems.error("KS0116", {m_line, 1}, {std::to_string(line.size()), std::to_string(kMaxLineBytes)});
+        return false;
+    }
+    if (const std::size_t nul = line.find('\0'); nul != std::string_view::npos) {
+        if (!std::exchange(m_saidNul, true)) {
+            m_problems.error("KS0122", {m_line, static_cast<int>(nul) + 1});
+        }
+        return false;
+    }
+    if (!isUtf8(line)) {
+        m_repaired = replaceBadUtf8(line);
+        if (!std::exchange(m_saidNotUtf8, true)) {
+            std::size_t bad = 0;
+            while (bad < line.size() && line[bad] == m_repaired[bad]) {
+                ++bad;
+            }
+            m_problems.warn("KS0113", {m_line, static_cast<int>(bad) + 1});
+        }
+        line = m_repaired;
+    }
+    return true;
+}
+
+void Reader::readHeaderLine(const HeaderLine& header) {
+    if (m_inBody) {
+        if (isKnownHeader(header.name)) {
+            m_problems.warn("KS0106", {m_line, 1}, {shown(header.name)});
+        }
+        return;
+    }
+    if (m_headerEnded) {
+        if (!isKnownHeader(header.name)) {
+            return;
+        }
+        m_problems.warn("KS0123", {m_line, 1}, {shown(header.name)});
+    }
+    m_header.read(header, m_line);
+}
+
+void Reader::readBody(std::string_view line) {
+    const std::size_t semicolon = line.find(';');
+    const std::string_view operation = line.substr(0, semicolon);
+    if (semicolon != std::string_view::npos && startsWith(line.substr(semicolon), kSource)) {
+        m_program.sourceComments.emplace_back(
+            static_cast<machine::OperationIndex>(m_program.operations.size()), line.substr(semicolon));
+    }
+    if (!trim(operation).empty()) {
+        beginBody();
+        m_operations.read(operation, m_line);
+    }
+}
+
+void Reader::beginBody() {
+    if (std::exchange(m_inBody, true)) {
+        return;
+    }
+    m_header.finish();
+    if (!m_header.sawCarriers()) {
+        m_operations.setCarriers(OperationReader::Carriers::Missing);
+    } else if (m_program.header.carriers.empty()) {
+        m_operations.setCarriers(OperationReader::Carriers::Faulty);
+    }
+}
+
+bool Reader::tooMany() {
+    if (m_program.operations.size() + m_program.sourceComments.size() <= kMaxOperations) {
+        return false;
+    }
+    m_problems.error("KS0125", {m_line, 1}, {std::to_string(kMaxOperations)});
+    return true;
+}
+
+void Reader::checkEnd() {
+    if (!m_inBody) {
+        m_header.finish();
+        // A knitout file may be empty; a file with neither magic nor operation is something else.
+        m_problems.add(m_magic ? Severity::Warning : Severity::Error, "KS0121", {std::max(m_line, 1), 1}, {});
+    }
+    if (!m_header.sawCarriers() && m_problems.errorCount() == 0) {
+        m_problems.warn("KS0103", {1, 1});
+    }
+}
+
+} // namespace
+
+Result<machine::Program> parse(std::string_view text, const std::string& file) {
+    if (text.size() > kMaxFileBytes) {
+        return Diagnostic{"KS0007",
+                          Severity::Error,
+                          Place{.file = file},
+                          {std::to_string(text.size()), std::to_string(kMaxFileBytes)}};
+    }
+    return Reader(text, file).run();
+}
+
+Result<machine::Program> read(const std::filesystem::path& path) {
+    const Result<std::string> bytes = readFile(path);
+    if (!bytes) {
+        return Result<machine::Program>::failure(bytes.diagnostics());
+    }
+    return parse(bytes.value(), path.string());
+}
+
+} // namespace knittsim::formats::knitout
