@@ -14,7 +14,7 @@ std::uint64_t code(Strand strand) {
 }
 
 std::uint64_t pairCode(Strand a, Strand b) {
-    const auto [low, high] = std::minmax(code(a), code(b));
+    const auto [low, high] = std::minmax({code(a), code(b)});
     return low << 32 | high;
 }
 

@@ -18,6 +18,7 @@ std::vector<Pass> findPasses(const Program& program) {
     double rack = 0;
     bool open = false;
     double last = 0;
+    Needle lastNeedle;
     for (std::size_t i = 0; i < program.operations.size(); ++i) {
         const Operation& op = program.operations[i];
         if (op.kind == OperationKind::Rack) {
@@ -33,13 +34,14 @@ std::vector<Pass> findPasses(const Program& program) {
         }
         const double at = positionPitches(op.needle, rack);
         const bool joins = open && passes.back().direction == op.direction &&
-                           passes.back().carriers == op.carriers && (at - last) * sign(op.direction) >= 0;
+                           passes.back().carriers == op.carriers && op.needle != lastNeedle && (at - last) * sign(op.direction) >= 0;
         if (!joins) {
             passes.push_back({static_cast<OperationIndex>(i), 0, op.direction, op.carriers});
             open = true;
         }
         passes.back().count = static_cast<OperationIndex>(i) - passes.back().first + 1;
         last = at;
+        lastNeedle = op.needle;
     }
     return passes;
 }

@@ -12,7 +12,10 @@ using test::pass;
 std::string plain(int wales, int courses) {
     std::string lines = "in 1\n";
     for (int c = 0; c < courses; ++c) {
-        lines += c % 2 == 0 ? pass("knit", 'f', 0, wales - 1, 1) : pass("knit", 'f', wales - 1, 0, 1);
+        for (int w = 0; w < wales; ++w) {
+            lines += c % 2 == 0 ? "knit + f" + std::to_string(w) + " 1\n"
+                                : "knit - f" + std::to_string(wales - 1 - w) + " 1\n";
+        }
     }
     return lines;
 }
