@@ -1,3 +1,4 @@
+#include "core/fabric/strand_tracker.h"
 #include "tests/support/build.h"
 
 #include <gmock/gmock.h>
@@ -112,24 +113,27 @@ TEST(Crossings, TubeLayersDoNotCross) {
 }
 
 TEST(Crossings, TheFrontRailLiesInFrontAtAnIntarsiaJoin) {
-    // Carrier 1 (front rail) tucks on the neighbour's needle, past carrier 3, which stands there.
-    const Fabric fabric = build("in 1\nin 3\n" + pass("knit", 'f', 0, 2, 1) + pass("knit", 'f', 5, 3, 3) +
-                                "tuck + f3 1\n" + pass("knit", 'f', 2, 0, 1) + pass("knit", 'f', 3, 5, 3));
-    const auto carrierOfFloat = [&](PointIndex p) {
-        const LoopIndex loop = fabric.points[static_cast<std::size_t>(p)].loop;
-        const Loop& corners = fabric.loops[static_cast<std::size_t>(loop)];
-        const bool before = p < corners.headLeft && p < corners.headRight;
-        return before ? fabric.made.loops[static_cast<std::size_t>(loop)].carrier : -1;
+    // Carrier 1 (front rail) tucks on the neighbour's needle, past carrier 3 that stands there, and goes back.
+    const machine::Timeline timeline =
+        test::timeline("in 1\nin 3\n" + pass("knit", 'f', 0, 2, 1) + pass("knit", 'f', 5, 3, 3) + "tuck + f3 1\n" +
+                       pass("knit", 'f', 2, 0, 1) + pass("knit", 'f', 3, 5, 3));
+    machine::Emulator emulator(timeline.program(), timeline.profile());
+    StrandTracker tracker(emulator, timeline.program());
+    while (!emulator.atEnd()) {
+        emulator.step(&tracker);
+    }
+    const auto carrierOf = [&](Strand strand) {
+        return emulator.loops().loops[static_cast<std::size_t>(tracker.loopAfterFloat(strand.index))].carrier;
     };
     int floatsThatCross = 0;
-    for (const Crossing& crossing : fabric.crossings) {
-        if (carrierOfFloat(crossing.over) >= 0 && carrierOfFloat(crossing.under) >= 0) {
-            EXPECT_EQ(carrierOfFloat(crossing.over), 0);
-            EXPECT_EQ(carrierOfFloat(crossing.under), 2);
+    for (const Passing& passing : tracker.passings()) {
+        if (passing.over.kind == Strand::Kind::Float && passing.under.kind == Strand::Kind::Float) {
+            EXPECT_EQ(carrierOf(passing.over), 0);
+            EXPECT_EQ(carrierOf(passing.under), 2);
+            EXPECT_FALSE(passing.undone) << "the tuck in between holds";
             ++floatsThatCross;
         }
     }
-    // Out to the tuck and back again; the tuck in between holds on the other side.
     EXPECT_EQ(floatsThatCross, 2);
 }
 
