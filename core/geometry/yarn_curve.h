@@ -10,9 +10,11 @@ namespace knittsim::geometry {
 
 /// Smooth centrelines of all yarns of a fabric, sampled densely enough to draw.
 struct YarnCurves {
-    std::vector<Vec3f> nodes;               ///< yarn after yarn, mm
-    std::vector<fabric::PointIndex> point;  ///< by node: bonding point at or before it
-    std::vector<float> arc;                 ///< by node: arc length along its yarn, mm
+    std::vector<Vec3f> nodes;              ///< yarn after yarn, mm
+    std::vector<fabric::PointIndex> point; ///< by node: bonding point at or before it
+    std::vector<float> arc;                ///< by node: arc length along its yarn, mm
+    std::vector<Vec3f> normal;             ///< by node: about unit, the fabric's own; empty unless asked for
+    std::vector<float> height; ///< by node: mm over the smoothed fabric along normal; empty likewise
     struct Range {
         std::int32_t first = 0;
         std::int32_t count = 0;
@@ -23,12 +25,13 @@ struct YarnCurves {
 
 /// How a curve is drawn through the bonding points.
 struct CurveOptions {
-    int samplesPerSegment = 4;              ///< nodes between two control points
+    int samplesPerSegment = 4; ///< nodes between two control points
+    bool withSurface = false;  ///< fill YarnCurves::normal and ::height
 };
 
 /// Curves through the bonding points at `positions` (3 per entry, mm). At a bonding point the new loop comes
-/// through the old one from the far side of its bed; the curves are set off to the sides that this says by about
-/// half of `diameterMm` (by carrier), so that they never meet in a point.
+/// through the old one from the far side of its bed; the curves are set off to the sides that this says by
+/// about half of `diameterMm` (by carrier), so that they never meet in a point.
 YarnCurves buildYarnCurves(const fabric::Fabric& fabric, std::span<const float> positions,
                            std::span<const double> diameterMm, const CurveOptions& options = {});
 

@@ -1,0 +1,97 @@
+#include "core/geometry/curve_plan.h"
+
+#include "core/geometry/curve_planner.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace knittsim::geometry {
+
+namespace {
+
+constexpr float kWidestClasp = 0.30F;  ///< in chords
+constexpr float kHighestClasp = 0.20F; ///< in rises
+constexpr float kLongestReach = 0.33F; ///< of the way
+
+std::size_t at(fabric::EntryIndex entry) {
+    return static_cast<std::size_t>(entry);
+}
+
+void put(std::vector<ControlValue>& controls, std::int32_t control, const Vec3f& place, float height,
+         const Vec3f& normal) {
+    controls[static_cast<std::size_t>(control)] = {place.x(),  place.y(),  place.z(),  height,
+                                                   normal.x(), normal.y(), normal.z(), 0};
+}
+
+float limit(float value, float most) {
+    return std::clamp(value, -most, most);
+}
+
+} // namespace
+
+CurvePlan::CurvePlan(const fabric::Fabric& fabric, std::span<const double> diameterMm) {
+    CurvePlanner(fabric, diameterMm, *this).run();
+}
+
+void CurvePlan::place(const FrameField& frames, std::vector<ControlValue>& controls) const {
+    controls.resize(m_pointOfControl.size());
+    placeCorners(frames, controls);
+    placeArcs(frames, controls);
+    placeReaches(frames, controls);
+    // Mirrored end points make the spline begin and end at its first and last control point.
+    for (const YarnRange& yarn : m_yarns) {
+        const auto first = static_cast<std::size_t>(yarn.first);
+        const std::size_t end = first + static_cast<std::size_t>(yarn.count);
+        for (std::size_t c = 0; c < ControlValue().size(); ++c) {
+            controls[first - 1][c] = 2 * controls[first][c] - controls[first + 1][c];
+            controls[end][c] = 2 * controls[end - 1][c] - controls[end - 2][c];
+        }
+    }
+}
+
+void CurvePlan::placeCorners(const FrameField& frames, std::vector<ControlValue>& controls) const {
+    for (const Corner& corner : m_corners) {
+        const std::size_t e = at(corner.entry);
+        const Vec3f& normal = frames.normal()[e];
+        const float across = limit(corner.across, kWidestClasp * frames.chord()[e]);
+        const float along = limit(corner.along, kHighestClasp * frames.rise()[e]);
+        const Vec3f place = frames.position()[e] + across * frames.across()[e] + along * frames.along()[e] +
+                            corner.out * normal;
+        put(controls, corner.control, place, frames.relief()[e] + corner.out, normal);
+    }
+}
+
+void CurvePlan::placeArcs(const FrameField& frames, std::vector<ControlValue>& controls) const {
+    for (const Arc& arc : m_arcs) {
+        const std::size_t a = at(arc.from);
+        const std::size_t b = at(arc.to);
+        const float distance2 = (frames.position()[b] - frames.position()[a]).squaredNorm();
+        const float slack = std::sqrt(std::max(0.0F, arc.storedMm * arc.storedMm - distance2));
+        const float most = std::max(arc.leastMm, arc.mostRise * 0.5F * (frames.rise()[a] + frames.rise()[b]));
+        const float amplitude = std::clamp(arc.gain * slack, arc.leastMm, most);
+        const float s = arc.share;
+        const auto blend = [&](const std::vector<Vec3f>& field) -> Vec3f {
+            return (1 - s) * field[a] + s * field[b];
+        };
+        const Vec3f normal = blend(frames.normal());
+        const Vec3f side = arc.acrossSide * blend(frames.across()) + arc.alongSide * blend(frames.along());
+        const float relief = (1 - s) * frames.relief()[a] + s * frames.relief()[b];
+        put(controls, arc.control, blend(frames.position()) + amplitude * side + arc.out * normal,
+            relief + arc.out, normal);
+    }
+}
+
+void CurvePlan::placeReaches(const FrameField& frames, std::vector<ControlValue>& controls) const {
+    for (const Reach& reach : m_reaches) {
+        const std::size_t e = at(reach.near);
+        const Vec3f way = frames.position()[at(reach.far)] - frames.position()[e];
+        const float length = way.norm();
+        const float t = length > 0 ? std::min(kLongestReach, reach.reachMm / length) : 0;
+        const Vec3f& normal = frames.normal()[e];
+        const Vec3f place = frames.position()[e] + t * way + reach.across * frames.across()[e] -
+                            reach.dipMm * frames.along()[e] + reach.out * normal;
+        put(controls, reach.control, place, frames.relief()[e] + reach.out, normal);
+    }
+}
+
+} // namespace knittsim::geometry
