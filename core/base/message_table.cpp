@@ -15,7 +15,7 @@ constexpr auto kMessages = std::to_array<Message>({
     {"KS0003", "bad-json", "The file is not valid JSON: {0}.", "Correct the text at this place."},
     {"KS0004", "bad-value", "'{0}' is {1}, expected {2}.", "Correct the value."},
     {"KS0005", "missing-value", "'{0}' is missing, expected {1}.", "Add the value."},
-    {"KS0006", "unknown-format", "The format of the file is not known: {0}.", "Open a knitout file (.k or .knitout)."},
+    {"KS0006", "unknown-format", "Files of this format cannot be read: {0}.", "Open a knitout file (.k or .knitout)."},
     {"KS0007", "file-too-large", "The file has {0} bytes, the limit is {1}.", "Split the program."},
     {"KS0008", "not-found", "{0} '{1}' does not exist.", "Choose one of: {2}."},
 

@@ -7,6 +7,7 @@
 #include "core/formats/text.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace knittsim::formats::knitout {
@@ -23,6 +24,18 @@ bool startsWith(std::string_view text, std::string_view prefix) {
     return text.substr(0, prefix.size()) == prefix;
 }
 
+/// The version of a line ';!knitout-2', or nothing.
+std::optional<int> versionIn(std::string_view line) {
+    if (!startsWith(line, kMagic)) {
+        return std::nullopt;
+    }
+    const std::optional<std::int64_t> version = parseInteger(trim(line.substr(kMagic.size())));
+    if (!version || *version < 0 || *version > kMaxVersion) {
+        return std::nullopt;
+    }
+    return static_cast<int>(*version);
+}
+
 class Reader {
 public:
     Reader(std::string_view text, const std::string& file)
@@ -34,7 +47,8 @@ public:
     Result<machine::Program> run();
 
 private:
-    void readMagic();
+    void checkFirstLine();
+    void readMagic(std::string_view line);
     void readLine(std::string_view line);
     bool checkBytes(std::string_view& line);
     void readHeaderLine(const HeaderLine& header);
@@ -56,10 +70,11 @@ private:
     bool m_saidLineEnds = false;
     bool m_saidNotUtf8 = false;
     bool m_saidNul = false;
+    bool m_saidSplitHeader = false;
 };
 
 Result<machine::Program> Reader::run() {
-    readMagic();
+    checkFirstLine();
     while (!m_text.empty() && !m_problems.full()) {
         const std::size_t end = m_text.find('\n');
         const std::string_view line = m_text.substr(0, end);
@@ -77,33 +92,32 @@ Result<machine::Program> Reader::run() {
     return {std::move(m_program), m_problems.take()};
 }
 
-/// Takes the first line when it is the magic line, else leaves the text as it is.
-void Reader::readMagic() {
+/// Says so when the first line is not the magic line.
+void Reader::checkFirstLine() {
     if (startsWith(m_text, kByteOrderMark)) {
         m_problems.warn("KS0101", {1, 1}, {"a byte order mark"});
         m_text.remove_prefix(kByteOrderMark.size());
     }
-    const std::size_t end = m_text.find('\n');
-    std::string_view line = m_text.substr(0, end);
-    const bool carriageReturn = !line.empty() && line.back() == '\r';
-    line.remove_suffix(carriageReturn ? 1 : 0);
-    const std::string_view number = startsWith(line, kMagic) ? trim(line.substr(kMagic.size())) : "";
-    const std::optional<std::int64_t> version = parseInteger(number);
-    if (!version || *version < 0 || *version > kMaxVersion) {
+    std::string_view line = m_text.substr(0, m_text.find('\n'));
+    if (!line.empty() && line.back() == '\r') {
+        line.remove_suffix(1);
+    }
+    if (!versionIn(line)) {
         m_problems.warn("KS0101", {1, 1}, {quoted(line)});
+    }
+}
+
+/// Takes the version of a magic line. A later one counts only where the first line is none.
+void Reader::readMagic(std::string_view line) {
+    const std::optional<int> version = versionIn(line);
+    if (!version || m_magic) {
         return;
     }
     m_magic = true;
-    m_program.header.version = static_cast<int>(*version);
+    m_program.header.version = *version;
     if (*version > kKnownVersion) {
-        m_problems.warn("KS0102", {1, static_cast<int>(kMagic.size()) + 1}, {std::to_string(*version)});
+        m_problems.warn("KS0102", {m_line, static_cast<int>(kMagic.size()) + 1}, {std::to_string(*version)});
     }
-    if (carriageReturn) {
-        m_problems.warn("KS0112", {1, static_cast<int>(line.size()) + 1});
-        m_saidLineEnds = true;
-    }
-    m_text.remove_prefix(end == std::string_view::npos ? m_text.size() : end + 1);
-    m_line = 1;
 }
 
 void Reader::readLine(std::string_view line) {
@@ -120,6 +134,10 @@ void Reader::readLine(std::string_view line) {
         if (const auto header = splitHeader(line)) {
             readHeaderLine(*header);
         }
+        return;
+    }
+    if (startsWith(line, kMagic) && !m_inBody) {
+        readMagic(line);
         return;
     }
     m_headerEnded = true;
@@ -163,7 +181,9 @@ void Reader::readHeaderLine(const HeaderLine& header) {
         if (!isKnownHeader(header.name)) {
             return;
         }
-        m_problems.warn("KS0123", {m_line, 1}, {shown(header.name)});
+        if (!std::exchange(m_saidSplitHeader, true)) {
+            m_problems.warn("KS0123", {m_line, 1}, {shown(header.name)});
+        }
     }
     m_header.read(header, m_line);
 }
@@ -204,6 +224,8 @@ bool Reader::tooMany() {
 void Reader::checkEnd() {
     if (!m_inBody) {
         m_header.finish();
+    }
+    if (!m_inBody && m_problems.errorCount() == 0) {
         // A knitout file may be empty; a file with neither magic nor operation is something else.
         m_problems.add(m_magic ? Severity::Warning : Severity::Error, "KS0121", {std::max(m_line, 1), 1}, {});
     }

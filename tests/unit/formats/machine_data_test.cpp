@@ -1,0 +1,69 @@
+#include "core/base/message_table.h"
+#include "core/formats/formats.h"
+#include "core/formats/knitout/reader.h"
+#include "core/formats/knitout/writer.h"
+#include "tests/support/compare_programs.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace knittsim::formats {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Programs knitted on real machines, which are not part of the project: $KNITTSIM_MACHINE_DATA, else
+/// shared/machine-data beside the source tree.
+fs::path machineData() {
+    const char* folder = std::getenv("KNITTSIM_MACHINE_DATA");
+    return folder != nullptr ? fs::path(folder)
+                             : fs::path(KNITTSIM_SOURCE_DIR).parent_path() / "shared" / "machine-data";
+}
+
+std::vector<fs::path> filesWith(std::initializer_list<const char*> extensions) {
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (const auto& entry : fs::recursive_directory_iterator(machineData(), error)) {
+        for (const char* extension : extensions) {
+            if (entry.path().extension() == extension) {
+                files.push_back(entry.path());
+            }
+        }
+    }
+    return files;
+}
+
+TEST(MachineData, KnitoutFilesOpenAndSurviveARoundTrip) {
+    const auto files = filesWith({".k", ".knitout"});
+    if (files.empty()) {
+        GTEST_SKIP() << "no knitout files in " << machineData();
+    }
+    for (const fs::path& file : files) {
+        const auto program = readProgram(file);
+        ASSERT_TRUE(program) << toLine(program.diagnostics().front());
+        EXPECT_FALSE(program.value().operations.empty()) << file;
+        const auto again = knitout::parse(knitout::write(program.value()), "again.k");
+        ASSERT_TRUE(again) << file;
+        EXPECT_EQ(test::difference(program.value(), again.value()), "") << file;
+    }
+}
+
+TEST(MachineData, OtherFormatsAreNamed) {
+    const auto files = filesWith({".dat", ".kc"});
+    if (files.empty()) {
+        GTEST_SKIP() << "no Shima or Kniterate files in " << machineData();
+    }
+    for (const fs::path& file : files) {
+        const auto result = readProgram(file);
+        ASSERT_EQ(result.diagnostics().size(), 1u) << file;
+        EXPECT_EQ(result.diagnostics()[0].id, "KS0006");
+        EXPECT_THAT(result.diagnostics()[0].arguments,
+                    testing::ElementsAre(file.extension() == ".dat" ? "Shima DAT" : "Kniterate k-code"));
+    }
+}
+
+} // namespace
+} // namespace knittsim::formats
