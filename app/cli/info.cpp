@@ -1,0 +1,112 @@
+#include "app/cli/commands.h"
+#include "app/cli/load.h"
+#include "core/fabric/fabric_builder.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <memory>
+#include <set>
+
+namespace knittsim::cli {
+
+namespace {
+
+struct InfoOptions {
+    LoadOptions load;
+    bool json = false;
+};
+
+nlohmann::ordered_json summarise(const machine::Timeline& timeline, const fabric::Fabric& fabric) {
+    const machine::Program& program = timeline.program();
+    nlohmann::ordered_json operations = nlohmann::ordered_json::object();
+    std::array<int, machine::kOperationKindCount> counts{};
+    std::set<machine::Needle> needles;
+    for (const machine::Operation& op : program.operations) {
+        ++counts[static_cast<std::size_t>(op.kind)];
+        if (machine::makesLoop(op.kind)) {
+            needles.insert(op.needle);
+        }
+    }
+    for (std::size_t kind = 0; kind < counts.size(); ++kind) {
+        if (counts[kind] > 0) {
+            operations[machine::toString(static_cast<machine::OperationKind>(kind))] = counts[kind];
+        }
+    }
+    std::map<std::string, double> yarnLength;
+    nlohmann::ordered_json carriers = nlohmann::ordered_json::array();
+    for (const machine::Carrier& carrier : program.header.carriers) {
+        carriers.push_back(carrier.name);
+    }
+    for (const fabric::Yarn& yarn : fabric.yarns) {
+        yarnLength[program.header.carriers[yarn.carrier].name] += yarn.lengthMm;
+    }
+    const auto rear = std::ranges::count_if(needles, [](machine::Needle n) { return !machine::isFront(n.bed); });
+    return {{"file", program.file},
+            {"operations", program.operations.size()},
+            {"operations_by_kind", operations},
+            {"carriers", carriers},
+            {"needles", needles.size()},
+            {"front_needles", needles.size() - static_cast<std::size_t>(rear)},
+            {"rear_needles", rear},
+            {"courses", fabric.courseCount},
+            {"loops", fabric.loops.size()},
+            {"bonding_points", fabric.points.size()},
+            {"table_entries", fabric.entryCount},
+            {"crossings", fabric.crossings.size()},
+            {"yarn_length_mm", yarnLength},
+            {"problems", timeline.diagnostics().size()}};
+}
+
+void printText(const nlohmann::ordered_json& info) {
+    const auto list = [](const nlohmann::ordered_json& object, const char* unit) {
+        std::string text;
+        for (const auto& [key, value] : object.items()) {
+            const std::string shown = value.is_number_float() ? fmt::format("{:.0f}", value.get<double>()) : value.dump();
+            text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", key, shown, unit);
+        }
+        return text;
+    };
+    std::string carriers;
+    for (const auto& name : info["carriers"]) {
+        carriers += (carriers.empty() ? "" : " ") + name.get<std::string>();
+    }
+    fmt::print("{}\n", info["file"].get<std::string>());
+    fmt::print("  operations      {} ({})\n", info["operations"].dump(), list(info["operations_by_kind"], ""));
+    fmt::print("  carriers        {}\n", carriers);
+    fmt::print("  needles         {} (front {}, rear {})\n", info["needles"].dump(), info["front_needles"].dump(),
+               info["rear_needles"].dump());
+    for (const char* key : {"courses", "loops", "bonding_points", "table_entries", "crossings"}) {
+        std::string name = key;
+        std::ranges::replace(name, '_', ' ');
+        fmt::print("  {:<16}{}\n", name, info[key].dump());
+    }
+    fmt::print("  yarn by carrier {}\n", list(info["yarn_length_mm"], " mm"));
+}
+
+int runInfo(const InfoOptions& options) {
+    const auto timeline = loadTimeline(options.load);
+    if (!timeline) {
+        return kUnusable;
+    }
+    const nlohmann::ordered_json info = summarise(*timeline, fabric::buildFabric(*timeline));
+    if (options.json) {
+        fmt::print("{}\n", info.dump(2));
+    } else {
+        printText(info);
+    }
+    return hasErrors(timeline->diagnostics()) ? kProblems : kFine;
+}
+
+} // namespace
+
+void addInfo(CLI::App& app, Command& chosen) {
+    auto options = std::make_shared<InfoOptions>();
+    CLI::App* command = app.add_subcommand("info", "Count operations, needles, loops, bonding points and yarn");
+    command->add_option("file", options->load.file, "knitout file")->required();
+    command->add_flag("--json", options->json, "print JSON");
+    command->callback([&chosen, options] { chosen = [options] { return runInfo(*options); }; });
+}
+
+} // namespace knittsim::cli
