@@ -26,11 +26,12 @@ std::string replaceBadUtf8(std::string_view text);
 /// Byte offset of the first typographic minus or dash that looks like '-', or nothing.
 std::optional<std::size_t> findTypographicMinus(std::string_view text);
 
+/// A carriage return that ends no line counts as a blank.
 constexpr bool isBlank(char c) {
-    return c == ' ' || c == '\t';
+    return c == ' ' || c == '\t' || c == '\r';
 }
 
-/// Without blanks and tabs at both ends.
+/// Without blanks at both ends.
 std::string_view trim(std::string_view text);
 
 /// A word of a line. `column` is the 1-based byte column; the token after the last word is empty.
@@ -39,7 +40,7 @@ struct Token {
     int column = 1;
 };
 
-/// Words of a line, separated by blanks and tabs.
+/// Words of a line, separated by blanks.
 class Tokens {
 public:
     explicit Tokens(std::string_view line) : m_line(line) {}

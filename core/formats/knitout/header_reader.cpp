@@ -34,7 +34,7 @@ std::optional<HeaderLine> splitHeader(std::string_view line) {
         return std::nullopt;
     }
     const std::string_view name = line.substr(2, colon - 2);
-    if (name.find_first_of(" \t") != std::string_view::npos) {
+    if (std::any_of(name.begin(), name.end(), isBlank)) {
         return std::nullopt;
     }
     const std::string_view value = trim(line.substr(colon + 1));

@@ -122,7 +122,9 @@ void Reader::readMagic(std::string_view line) {
 
 void Reader::readLine(std::string_view line) {
     if (!line.empty() && line.back() == '\r') {
-        line.remove_suffix(1);
+        while (!line.empty() && line.back() == '\r') {
+            line.remove_suffix(1);
+        }
         if (!std::exchange(m_saidLineEnds, true)) {
             m_problems.warn("KS0112", {m_line, static_cast<int>(line.size() % kMaxLineBytes) + 1});
         }

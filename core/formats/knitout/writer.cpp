@@ -30,11 +30,11 @@ std::string oneLine(std::string_view text, std::string_view forbidden) {
 
 void writeHeader(std::string& out, std::string_view name, std::string_view value) {
     out += ";;";
-    out += oneLine(name, "\r\n");
+    out += oneLine(name, "\n");
     out += ':';
     if (!value.empty()) {
         out += ' ';
-        out += oneLine(value, "\r\n");
+        out += oneLine(value, "\n");
     }
     out += '\n';
 }
@@ -107,7 +107,7 @@ public:
 private:
     std::string text(const Operation& op) const {
         return op.text < 0 ? std::string()
-                           : oneLine(m_program.texts[static_cast<std::size_t>(op.text)], "\r\n;");
+                           : oneLine(m_program.texts[static_cast<std::size_t>(op.text)], "\n;");
     }
 
     void writeArgument(Argument argument, const Operation& op) {
@@ -165,7 +165,7 @@ std::string write(const Program& program) {
     const auto writeComments = [&](std::size_t upTo) {
         for (; comment != program.sourceComments.end() && static_cast<std::size_t>(comment->first) <= upTo;
              ++comment) {
-            out += oneLine(comment->second, "\r\n") + '\n';
+            out += oneLine(comment->second, "\n") + '\n';
         }
     };
     for (std::size_t i = 0; i < program.operations.size(); ++i) {
