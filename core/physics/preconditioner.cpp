@@ -1,0 +1,33 @@
+#include "core/physics/preconditioner.h"
+
+#include <Eigen/LU>
+
+namespace knittsim::physics {
+
+void BlockJacobi::build(const Model& model) {
+    m_blocks = model.diagonal();
+    m_inverse = m_blocks;
+    for (Entry e = 0; e < model.entryCount(); ++e) {
+        auto block = m_inverse.middleCols<3>(Eigen::Index{3} * e);
+        const Matrix3 inverse = Matrix3(block).inverse();
+        block = 0.5 * (inverse + inverse.transpose());
+    }
+}
+
+void BlockJacobi::apply(const Vector& r, Vector& z) const {
+    z.resize(r.size());
+    for (Eigen::Index i = 0; i < r.size(); i += 3) {
+        z.segment<3>(i) = m_inverse.middleCols<3>(i) * r.segment<3>(i);
+    }
+}
+
+double BlockJacobi::halfSquare(const Vector& v) const {
+    double sum = 0;
+    for (Eigen::Index i = 0; i < v.size(); i += 3) {
+        const Eigen::Vector3d part = v.segment<3>(i);
+        sum += part.dot(m_blocks.middleCols<3>(i) * part);
+    }
+    return 0.5 * sum;
+}
+
+} // namespace knittsim::physics
