@@ -8,7 +8,7 @@ namespace knittsim {
 
 namespace {
 
-// KS00xx files and resources, KS01xx reading machine data, KS02xx the machine, KS03xx physics, KS04xx drawing.
+// KS00xx files and resources, KS01xx reading machine data, KS02xx the machine, KS03xx physics, KS04xx drawing, KS05xx charts.
 constexpr auto kMessages = std::to_array<Message>({
     {"KS0001", "cannot-read", "The file cannot be read: {0}.", "Check the path and the permissions."},
     {"KS0002", "cannot-write", "The file cannot be written: {0}.", "Check the folder, its permissions and the free space."},
@@ -58,6 +58,21 @@ constexpr auto kMessages = std::to_array<Message>({
     {"KS0209", "slider-loop", "A slider cannot make a loop: {0}.", "Knit on {1}."},
     {"KS0210", "carrier-stays-in", "Carrier {0} is never taken out.", "End with 'out {0}' or 'outhook {0}'."},
     {"KS0211", "too-many-findings", "More than {0} problems; the rest is not listed.", "Correct the problems above first."},
+
+    {"KS0401", "no-opengl", "There is no OpenGL without a window: {0}.", "Install libegl1, libgl1 and libgl1-mesa-dri."},
+    {"KS0402", "old-opengl", "OpenGL is {0}, expected 3.3 or newer.", "Update the graphics driver, or start with LIBGL_ALWAYS_SOFTWARE=1."},
+    {"KS0403", "shader", "A shader does not build: {0}", "Check the folder resources/shaders."},
+    {"KS0404", "no-picture", "The picture cannot be made: {0}.", "Choose a smaller size or a smaller part."},
+    {"KS0405", "not-png", "The file is not a PNG picture: {0}.", "Choose another file."},
+
+    {"KS0501", "chart-size", "The chart has {0} wales, {1} courses and {2} cells.", "Give every course one cell for each wale."},
+    {"KS0502", "chart-yarn", "Wale {0} uses yarn {1}, but the chart has {2} yarns.", "Choose one of the chart's yarns."},
+    {"KS0503", "chart-move", "The loop of wale {0} cannot move to wale {1}.", "Stay inside the chart and move every loop once."},
+    {"KS0504", "chart-beds", "The course has {0}, which needs a chart for {1}.", "Choose another stitch or the other kind of chart."},
+    {"KS0505", "chart-carrier-twice", "Carrier '{0}' is given to two yarns of the chart.", "Give every yarn its own carrier."},
+    {"KS0506", "chart-nothing-to-move", "Wale {0} has no loop to move.", "Knit the wale before the loop moves."},
+    {"KS0507", "chart-racking", "The course needs racking {0}, the machine has {1} to {2}.", "Move the loops less far."},
+    {"KS0508", "chart-loop-left", "Wale {0} is empty here but still holds a loop.", "Move the loop to a neighbour or let the wale rest."},
 });
 
 static_assert(std::is_sorted(kMessages.begin(), kMessages.end(),

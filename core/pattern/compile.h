@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/machine/profile.h"
+#include "core/machine/program.h"
+#include "core/pattern/chart.h"
+
+namespace knittsim::pattern {
+
+enum class CastOn : std::uint8_t {
+    Open,        ///< the first course is knitted on empty needles
+    Alternating, ///< before it, tucks on every second needle one way and on the others back
+};
+
+enum class Ending : std::uint8_t {
+    Held,    ///< the last loops stay on their needles, as on a stitch holder
+    Dropped, ///< they fall off: the last course can ladder
+};
+
+struct CompileOptions {
+    CastOn castOn = CastOn::Alternating;
+    Ending ending = Ending::Held;
+    int firstNeedle = 1; ///< needle of wale 0
+    machine::MachineProfile machine = machine::genericProfile();
+};
+
+/// Machine program that knits the chart.
+///
+/// - A carrier comes in for its first course, which it knits leftwards, and leaves after its last one.
+/// - Each course: loops are moved (all to the rear bed, then racking by racking to the front), loops change
+/// beds
+///   where the stitch asks for it (racking 0), then every yarn passes once, away from the side where it
+///   stands.
+/// - Intarsia: zones are knitted in the direction of the carrier, each yarn tucking on the first wale of the
+/// next zone.
+///
+/// Errors: KS0501 to KS0507, with course and needle.
+Result<machine::Program> compile(const Chart& chart, const CompileOptions& options = {});
+
+} // namespace knittsim::pattern

@@ -1,0 +1,69 @@
+#include "core/pattern/program_builder.h"
+
+#include <fmt/format.h>
+
+namespace knittsim::pattern {
+
+using machine::CarrierIndex;
+using machine::Direction;
+using machine::Needle;
+using machine::Operation;
+using machine::OperationKind;
+
+Operation& ProgramBuilder::add(OperationKind kind) {
+    Operation& operation = m_program.operations.emplace_back();
+    operation.kind = kind;
+    return operation;
+}
+
+void ProgramBuilder::bringIn(CarrierIndex carrier, OperationKind kind) {
+    add(kind).carriers.push(carrier);
+}
+
+void ProgramBuilder::takeOut(CarrierIndex carrier, OperationKind kind) {
+    add(kind).carriers.push(carrier);
+}
+
+void ProgramBuilder::releaseHook(CarrierIndex carrier) {
+    add(OperationKind::ReleaseHook).carriers.push(carrier);
+}
+
+void ProgramBuilder::colour(CarrierIndex carrier, yarn::Colour colour) {
+    Operation& operation = add(OperationKind::Colour);
+    operation.carriers.push(carrier);
+    operation.text = static_cast<std::int32_t>(m_program.texts.size());
+    m_program.texts.push_back(fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b));
+}
+
+void ProgramBuilder::stitchNumber(double number) {
+    if (number != m_stitchNumber) {
+        add(OperationKind::StitchNumber).value = number;
+        m_stitchNumber = number;
+    }
+}
+
+void ProgramBuilder::rack(double pitches) {
+    if (pitches != m_rack) {
+        add(OperationKind::Rack).value = pitches;
+        m_rack = pitches;
+    }
+}
+
+void ProgramBuilder::work(OperationKind kind, Direction direction, Needle needle, CarrierIndex carrier) {
+    Operation& operation = add(kind);
+    operation.direction = direction;
+    operation.needle = needle;
+    operation.carriers.push(carrier);
+}
+
+void ProgramBuilder::transfer(Needle from, Needle to) {
+    Operation& operation = add(OperationKind::Xfer);
+    operation.needle = from;
+    operation.target = to;
+}
+
+void ProgramBuilder::drop(Needle needle) {
+    add(OperationKind::Drop).needle = needle;
+}
+
+} // namespace knittsim::pattern
