@@ -8,10 +8,11 @@ namespace knittsim::cli {
 
 /// Exit codes of all commands.
 constexpr int kFine = 0;
-constexpr int kProblems = 1;    ///< the work was done and something is wrong
-constexpr int kUnusable = 2;    ///< cannot read, cannot write, bad usage
+constexpr int kProblems = 1; ///< the work was done and something is wrong
+constexpr int kUnusable = 2; ///< cannot read, cannot write, bad usage
 
-/// Each adds its subcommand to `app`; the command, when chosen, is put into `chosen` and returns the exit code.
+/// Each adds its subcommand to `app`; the command, when chosen, is put into `chosen` and returns the exit
+/// code.
 using Command = std::function<int()>;
 void addInfo(CLI::App& app, Command& chosen);
 void addRelax(CLI::App& app, Command& chosen);

@@ -42,7 +42,8 @@ nlohmann::ordered_json summarise(const machine::Timeline& timeline, const fabric
     for (const fabric::Yarn& yarn : fabric.yarns) {
         yarnLength[program.header.carriers[yarn.carrier].name] += yarn.lengthMm;
     }
-    const auto rear = std::ranges::count_if(needles, [](machine::Needle n) { return !machine::isFront(n.bed); });
+    const auto rear =
+        std::ranges::count_if(needles, [](machine::Needle n) { return !machine::isFront(n.bed); });
     return {{"file", program.file},
             {"operations", program.operations.size()},
             {"operations_by_kind", operations},
@@ -63,7 +64,8 @@ void printText(const nlohmann::ordered_json& info) {
     const auto list = [](const nlohmann::ordered_json& object, const char* unit) {
         std::string text;
         for (const auto& [key, value] : object.items()) {
-            const std::string shown = value.is_number_float() ? fmt::format("{:.0f}", value.get<double>()) : value.dump();
+            const std::string shown =
+                value.is_number_float() ? fmt::format("{:.0f}", value.get<double>()) : value.dump();
             text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", key, shown, unit);
         }
         return text;
@@ -73,10 +75,11 @@ void printText(const nlohmann::ordered_json& info) {
         carriers += (carriers.empty() ? "" : " ") + name.get<std::string>();
     }
     fmt::print("{}\n", info["file"].get<std::string>());
-    fmt::print("  operations      {} ({})\n", info["operations"].dump(), list(info["operations_by_kind"], ""));
+    fmt::print("  operations      {} ({})\n", info["operations"].dump(),
+               list(info["operations_by_kind"], ""));
     fmt::print("  carriers        {}\n", carriers);
-    fmt::print("  needles         {} (front {}, rear {})\n", info["needles"].dump(), info["front_needles"].dump(),
-               info["rear_needles"].dump());
+    fmt::print("  needles         {} (front {}, rear {})\n", info["needles"].dump(),
+               info["front_needles"].dump(), info["rear_needles"].dump());
     for (const char* key : {"courses", "loops", "bonding_points", "table_entries", "crossings"}) {
         std::string name = key;
         std::ranges::replace(name, '_', ' ');
@@ -103,7 +106,8 @@ int runInfo(const InfoOptions& options) {
 
 void addInfo(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<InfoOptions>();
-    CLI::App* command = app.add_subcommand("info", "Count operations, needles, loops, bonding points and yarn");
+    CLI::App* command =
+        app.add_subcommand("info", "Count operations, needles, loops, bonding points and yarn");
     command->add_option("file", options->load.file, "knitout file")->required();
     command->add_flag("--json", options->json, "print JSON");
     command->callback([&chosen, options] { chosen = [options] { return runInfo(*options); }; });

@@ -23,8 +23,8 @@ void print(const Diagnostics& diagnostics) {
 }
 
 /// Applies one CARRIER=ID; says what is wrong with it otherwise.
-bool assignYarn(const std::string& assignment, const machine::Program& program, const yarn::YarnLibrary& library,
-                std::vector<yarn::Yarn>& yarns) {
+bool assignYarn(const std::string& assignment, const machine::Program& program,
+                const yarn::YarnLibrary& library, std::vector<yarn::Yarn>& yarns) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string::npos) {
         fmt::print(stderr, "--yarn '{}': expected CARRIER=ID, for example 1=merino-2-30\n", assignment);
@@ -80,7 +80,8 @@ std::optional<Loaded> load(const LoadOptions& options) {
         return std::nullopt;
     }
     const machine::Program& program = loaded.timeline->program();
-    for (const machine::CarrierYarn& carrier : machine::carrierYarns(program, library.value(), yarn::defaultYarn())) {
+    for (const machine::CarrierYarn& carrier :
+         machine::carrierYarns(program, library.value(), yarn::defaultYarn())) {
         loaded.yarns.push_back(carrier.yarn);
     }
     for (const std::string& assignment : options.yarns) {

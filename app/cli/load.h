@@ -14,15 +14,15 @@ namespace knittsim::cli {
 /// What decides how a file becomes a fabric; shared by the commands that need one.
 struct LoadOptions {
     std::string file;
-    std::vector<std::string> yarns;      ///< CARRIER=ID
-    double loopLengthMm = 0;             ///< overrides every stitch size when positive
-    int step = -1;                       ///< operations to carry out; all when negative
+    std::vector<std::string> yarns; ///< CARRIER=ID
+    double loopLengthMm = 0;        ///< overrides every stitch size when positive
+    int step = -1;                  ///< operations to carry out; all when negative
 };
 
 struct Loaded {
     std::shared_ptr<const machine::Timeline> timeline;
     std::shared_ptr<const fabric::Fabric> fabric;
-    std::vector<yarn::Yarn> yarns;       ///< by carrier
+    std::vector<yarn::Yarn> yarns; ///< by carrier
 };
 
 /// Prints diagnostics to stderr. Returns nothing when the file or an option cannot be used.

@@ -59,8 +59,9 @@ const char* reasonText(simulation::StopReason reason) {
 }
 
 /// Everything measured on the settled fabric; keys as in the documentation of the command line.
-nlohmann::ordered_json report(const Loaded& loaded, const simulation::Frame& frame, const geometry::Measurement& size,
-                              double wallSeconds, const std::string& model) {
+nlohmann::ordered_json report(const Loaded& loaded, const simulation::Frame& frame,
+                              const geometry::Measurement& size, double wallSeconds,
+                              const std::string& model) {
     std::map<std::string, double> yarnLength;
     double mass = 0;
     double diameter = 0;
@@ -73,7 +74,8 @@ nlohmann::ordered_json report(const Loaded& loaded, const simulation::Frame& fra
         length += yarn.lengthMm;
     }
     using simulation::StopReason;
-    const bool converged = frame.reason == StopReason::ResidualReached || frame.reason == StopReason::Stagnation;
+    const bool converged =
+        frame.reason == StopReason::ResidualReached || frame.reason == StopReason::Stagnation;
     return {{"file", loaded.timeline->program().file},
             {"model", model},
             {"integrator", frame.integrator},
@@ -109,7 +111,8 @@ void printText(const nlohmann::ordered_json& r) {
     fmt::print("  {:.1f} x {:.1f} mm, {} wales x {} courses\n", number("width_mm"), number("height_mm"),
                r["wales"].get<int>(), r["courses"].get<int>());
     fmt::print("  wale spacing {:.3f} mm, course spacing {:.3f} mm, loop length {:.2f} mm, mass {:.2f} g\n",
-               number("wale_spacing_mm"), number("course_spacing_mm"), number("loop_length_mm"), number("mass_g"));
+               number("wale_spacing_mm"), number("course_spacing_mm"), number("loop_length_mm"),
+               number("mass_g"));
 }
 
 bool writeState(const std::string& path, const Loaded& loaded, const simulation::Frame& frame) {
@@ -143,7 +146,8 @@ int runRelax(const RelaxOptions& options) {
         simulation.apply(simulation::command::SetIntegrator{options.integrator});
     }
     simulation.apply(simulation::command::SetResidual{options.until});
-    simulation.apply(simulation::command::Load{.fabric = loaded->fabric, .yarns = loaded->yarns, .generation = 1});
+    simulation.apply(
+        simulation::command::Load{.fabric = loaded->fabric, .yarns = loaded->yarns, .generation = 1});
     simulation.apply(simulation::command::Start{});
     const auto start = std::chrono::steady_clock::now();
     simulation.runToEnd(options.maxSeconds);
@@ -168,16 +172,24 @@ void addRelax(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<RelaxOptions>();
     CLI::App* command = app.add_subcommand("relax", "Let the fabric settle and measure it");
     command->add_option("file", options->load.file, "knitout file")->required();
-    command->add_option("--model", options->model, "what settles")->check(CLI::IsMember({"bonding-points"}))->capture_default_str();
+    command->add_option("--model", options->model, "what settles")
+        ->check(CLI::IsMember({"bonding-points"}))
+        ->capture_default_str();
     std::vector<std::string> ids;
     for (const simulation::IntegratorInfo& info : simulation::integrators()) {
         ids.emplace_back(info.id);
     }
-    command->add_option("--integrator", options->integrator, "solver; the fastest when not given")->check(CLI::IsMember(ids));
+    command->add_option("--integrator", options->integrator, "solver; the fastest when not given")
+        ->check(CLI::IsMember(ids));
     command->add_option("--yarn", options->load.yarns, "CARRIER=ID: yarn of a carrier, from the library");
-    command->add_option("--loop-length", options->load.loopLengthMm, "MM of yarn in every loop")->check(CLI::Range(0.1, 200.0));
-    command->add_option("--until", options->until, "relative residual to reach")->check(CLI::Range(1e-12, 1.0))->capture_default_str();
-    command->add_option("--max-seconds", options->maxSeconds, "time limit")->check(CLI::Range(0.0, 1e6))->capture_default_str();
+    command->add_option("--loop-length", options->load.loopLengthMm, "MM of yarn in every loop")
+        ->check(CLI::Range(0.1, 200.0));
+    command->add_option("--until", options->until, "relative residual to reach")
+        ->check(CLI::Range(1e-12, 1.0))
+        ->capture_default_str();
+    command->add_option("--max-seconds", options->maxSeconds, "time limit")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
     command->add_option("--region", options->region, "W0:W1,C0:C1: wales and courses to measure, from 0");
     command->add_flag("--json", options->json, "print JSON");
     command->add_option("-o", options->state, "write the settled shape (JSON)");

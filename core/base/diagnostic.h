@@ -26,10 +26,10 @@ struct Place {
 /// One finding. Carries no sentence: `id` and `arguments` are turned into text by message_table.h
 /// (English) or by the window (translated), so that every user of the core sees the same finding.
 struct Diagnostic {
-    std::string id;  ///< stable rule id, for example "KS0003"
+    std::string id; ///< stable rule id, for example "KS0003"
     Severity severity = Severity::Error;
     Place place;
-    std::vector<std::string> arguments;  ///< values for {0}, {1}, ... of the message
+    std::vector<std::string> arguments; ///< values for {0}, {1}, ... of the message
 
     bool operator==(const Diagnostic&) const = default;
 };

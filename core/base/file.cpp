@@ -5,7 +5,6 @@
 #include <cstring>
 #include <memory>
 #include <system_error>
-
 #include <unistd.h>
 
 namespace knittsim {
@@ -72,9 +71,9 @@ Result<Written> writeFileAtomically(const std::filesystem::path& path, std::stri
         std::error_code code;
         using std::filesystem::perms;
         const auto status = std::filesystem::status(path, code);
-        const perms wanted = std::filesystem::exists(status)
-                                 ? status.permissions()
-                                 : perms::owner_read | perms::owner_write | perms::group_read | perms::others_read;
+        const perms wanted = std::filesystem::exists(status) ? status.permissions()
+                                                             : perms::owner_read | perms::owner_write |
+                                                                   perms::group_read | perms::others_read;
         std::filesystem::permissions(temporary, wanted, code);
         std::filesystem::rename(temporary, path, code);
         error = code.value();

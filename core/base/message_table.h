@@ -11,9 +11,9 @@ namespace knittsim {
 /// English text of one rule. {0}, {1}, ... stand for Diagnostic::arguments.
 struct Message {
     std::string_view id;
-    std::string_view name;   ///< short kebab-case name, for example "unknown-operation"
-    std::string_view cause;  ///< one sentence: what is wrong
-    std::string_view cure;   ///< one sentence: what to do; may be empty
+    std::string_view name;  ///< short kebab-case name, for example "unknown-operation"
+    std::string_view cause; ///< one sentence: what is wrong
+    std::string_view cure;  ///< one sentence: what to do; may be empty
 };
 
 /// Every rule the program knows, sorted by id. The window translates `cause` and `cure`.

@@ -7,9 +7,13 @@ namespace knittsim::units {
 constexpr double kMillimetresPerInch = 25.4;
 
 /// N -> mN
-constexpr double fromNewton(double newton) { return newton * 1e3; }
+constexpr double fromNewton(double newton) {
+    return newton * 1e3;
+}
 
 /// N m^2 -> mN mm^2
-constexpr double fromNewtonSquareMetre(double value) { return value * 1e9; }
+constexpr double fromNewtonSquareMetre(double value) {
+    return value * 1e9;
+}
 
 } // namespace knittsim::units

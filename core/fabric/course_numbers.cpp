@@ -36,7 +36,8 @@ CourseNumbers numberCourses(const machine::Timeline& timeline) {
     std::vector<std::int32_t> lastCourseOfYarn(static_cast<std::size_t>(timeline.finalState().yarnCount), -1);
     std::size_t i = 0;
     while (i < table.loops.size()) {
-        const std::int32_t passIndex = numbers.passOfOperation[static_cast<std::size_t>(table.loops[i].operation)];
+        const std::int32_t passIndex =
+            numbers.passOfOperation[static_cast<std::size_t>(table.loops[i].operation)];
         PassCourse pass;
         const std::size_t first = i;
         for (; i < table.loops.size(); ++i) {

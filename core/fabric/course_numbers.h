@@ -8,10 +8,11 @@
 namespace knittsim::fabric {
 
 /// Fabric courses of a program: every carriage pass lies in one course, one above the highest loops it knits
-/// through. Passes that knit different needles on the same loops (jacquard, intarsia, both beds of a rib) share a course.
+/// through. Passes that knit different needles on the same loops (jacquard, intarsia, both beds of a rib)
+/// share a course.
 struct CourseNumbers {
     std::vector<machine::Pass> passes;
-    std::vector<std::int32_t> passOfOperation;   ///< index into passes, -1 for operations without yarn
+    std::vector<std::int32_t> passOfOperation; ///< index into passes, -1 for operations without yarn
     std::vector<std::int32_t> courseOfPass;
 
     std::int32_t courseOf(machine::OperationIndex op) const {

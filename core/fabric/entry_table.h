@@ -6,8 +6,8 @@
 
 namespace knittsim::fabric {
 
-/// Rows of the bonding point table while they are being found: two heads for every loop, of which some turn out to
-/// be the same place, and one row for every crossing of two strands.
+/// Rows of the bonding point table while they are being found: two heads for every loop, of which some turn
+/// out to be the same place, and one row for every crossing of two strands.
 class EntryTable {
 public:
     explicit EntryTable(std::size_t loopCount) : m_joined(loopCount * 2) {
@@ -49,8 +49,8 @@ private:
         return i;
     }
 
-    std::vector<std::int32_t> m_joined;   ///< union-find forest over heads
-    std::vector<EntryIndex> m_rows;       ///< by root
+    std::vector<std::int32_t> m_joined; ///< union-find forest over heads
+    std::vector<EntryIndex> m_rows;     ///< by root
     EntryIndex m_rowCount = 0;
 };
 

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-/// The topology of a knitted fabric after Meissner & Eberhardt, "The Art of Knitted Fabrics" (1998), sections 3 and 4:
-/// yarn courses of bonding points over a shared bonding point table.
+/// The topology of a knitted fabric after Meissner & Eberhardt, "The Art of Knitted Fabrics" (1998), sections
+/// 3 and 4: yarn courses of bonding points over a shared bonding point table.
 namespace knittsim::fabric {
 
 using machine::CarrierIndex;
@@ -17,8 +17,8 @@ using machine::Direction;
 using machine::LoopIndex;
 using machine::Needle;
 using machine::OperationIndex;
-using EntryIndex = std::int32_t;   ///< row of the bonding point table
-using PointIndex = std::int32_t;   ///< index into Fabric::points
+using EntryIndex = std::int32_t; ///< row of the bonding point table
+using PointIndex = std::int32_t; ///< index into Fabric::points
 
 /// Foot: where a loop comes through the loops below it. Head: where the next loop comes through it.
 /// Crossing: where two strands pass each other without being drawn through.
@@ -28,16 +28,16 @@ enum class Side : std::uint8_t { Left, Right };
 
 /// A bonding point with its history.
 struct BondingPoint {
-    EntryIndex entry = -1;           ///< its place in the bonding point table
-    LoopIndex loop = -1;             ///< loop it belongs to; on a float: the loop it leads to
-    OperationIndex operation = -1;   ///< that made the loop or the crossing
-    Needle needle;                   ///< where that happened
+    EntryIndex entry = -1;         ///< its place in the bonding point table
+    LoopIndex loop = -1;           ///< loop it belongs to; on a float: the loop it leads to
+    OperationIndex operation = -1; ///< that made the loop or the crossing
+    Needle needle;                 ///< where that happened
     Role role = Role::Head;
-    Side side = Side::Left;          ///< of the loop, seen from the front
+    Side side = Side::Left; ///< of the loop, seen from the front
     /// Crossing: +1 this strand lies in front (nearer to a viewer of the front bed), -1 behind.
     /// Foot and Head: 0, the order follows from the bed of the loop.
     std::int8_t front = 0;
-    std::int32_t crossing = -1;      ///< index into Fabric::crossings, or -1
+    std::int32_t crossing = -1; ///< index into Fabric::crossings, or -1
 };
 
 /// Part of a yarn made in one carriage pass (the paper's BPCourse): points [first, first + count).
@@ -45,7 +45,7 @@ struct YarnCourse {
     std::int32_t yarn = 0;
     PointIndex first = 0;
     std::int32_t count = 0;
-    std::int32_t course = 0;         ///< fabric course, 0 at the bottom
+    std::int32_t course = 0; ///< fabric course, 0 at the bottom
     Direction direction = Direction::Right;
 };
 
@@ -54,7 +54,7 @@ struct Yarn {
     CarrierIndex carrier = 0;
     PointIndex first = 0;
     std::int32_t count = 0;
-    double lengthMm = 0;             ///< fed by the machine, sum of Fabric::lengths plus loose ends
+    double lengthMm = 0; ///< fed by the machine, sum of Fabric::lengths plus loose ends
 };
 
 /// One strand passes another: the bookkeeping of transfers, racks and floats.
@@ -62,7 +62,7 @@ struct Yarn {
 struct Crossing {
     PointIndex over = -1;
     PointIndex under = -1;
-    OperationIndex operation = -1;   ///< rack or stitch that made it
+    OperationIndex operation = -1; ///< rack or stitch that made it
     /// +1 when the over strand goes from left to right of the under strand with time, else -1.
     std::int8_t sign = 1;
 };
@@ -74,8 +74,8 @@ struct Loop {
     PointIndex headRight = -1;
     PointIndex footRight = -1;
     std::int32_t course = 0;
-    Needle bound;              ///< needle on which the next loop came through it, or where it is at the end
-    double boundRack = 0;      ///< racking then
+    Needle bound;         ///< needle on which the next loop came through it, or where it is at the end
+    double boundRack = 0; ///< racking then
     enum class End : std::uint8_t { Bound, Held, Dropped } end = End::Held;
 
     std::array<PointIndex, 4> corners() const { return {footLeft, headLeft, headRight, footRight}; }
@@ -83,21 +83,22 @@ struct Loop {
 
 /// Plain value; immutable once built.
 struct Fabric {
-    std::vector<BondingPoint> points;       ///< yarn after yarn, along each yarn
-    std::vector<double> lengths;            ///< mm of yarn between point i and i+1; 0 at the last point of a yarn
+    std::vector<BondingPoint> points; ///< yarn after yarn, along each yarn
+    std::vector<double> lengths;      ///< mm of yarn between point i and i+1; 0 at the last point of a yarn
     std::vector<Yarn> yarns;
     std::vector<YarnCourse> courses;
     std::vector<Crossing> crossings;
-    std::vector<Loop> loops;                ///< same index as machine::LoopTable
-    machine::LoopTable made;                ///< how each loop was made
-    std::int32_t entryCount = 0;            ///< rows of the bonding point table
-    std::vector<Vec3> machinePositions;     ///< by entry: where the machine leaves it, mm (needle pitch, bed gap)
+    std::vector<Loop> loops;            ///< same index as machine::LoopTable
+    machine::LoopTable made;            ///< how each loop was made
+    std::int32_t entryCount = 0;        ///< rows of the bonding point table
+    std::vector<Vec3> machinePositions; ///< by entry: where the machine leaves it, mm (needle pitch, bed gap)
     std::int32_t courseCount = 0;
-    double pitchMm = 0;                     ///< needle pitch of the machine
+    double pitchMm = 0; ///< needle pitch of the machine
 
     std::size_t pointCount() const { return points.size(); }
 
-    /// Points that share an entry, in no particular order: pointsOfEntry[firstOfEntry[e] .. firstOfEntry[e + 1]).
+    /// Points that share an entry, in no particular order: pointsOfEntry[firstOfEntry[e] .. firstOfEntry[e +
+    /// 1]).
     std::vector<PointIndex> pointsOfEntry;
     std::vector<std::int32_t> firstOfEntry;
 
@@ -110,8 +111,8 @@ struct Fabric {
 
 /// Yarn between the four points of a plain loop and to its neighbour, as shares of the loop length
 /// (measured on a relaxed rod model of plain knit; sum of one loop and one sinker is 1).
-constexpr double kHeadShare = 0.281;    ///< between the two heads
-constexpr double kLegShare = 0.219;     ///< between foot and head
-constexpr double kSinkerShare = 0.281;  ///< between the feet of neighbouring loops
+constexpr double kHeadShare = 0.281;   ///< between the two heads
+constexpr double kLegShare = 0.219;    ///< between foot and head
+constexpr double kSinkerShare = 0.281; ///< between the feet of neighbouring loops
 
 } // namespace knittsim::fabric

@@ -18,7 +18,8 @@ std::span<const Piece> fromLeft(Strand::Kind kind) {
 
 } // namespace
 
-LegCrossings::LegCrossings(const StrandTracker& tracker, std::size_t loopCount) : m_first(loopCount * 3 + 1, 0) {
+LegCrossings::LegCrossings(const StrandTracker& tracker, std::size_t loopCount)
+    : m_first(loopCount * 3 + 1, 0) {
     const auto loopOf = [&](Strand strand) {
         return strand.kind == Strand::Kind::Loop ? strand.index : tracker.loopAfterFloat(strand.index);
     };
@@ -41,13 +42,15 @@ LegCrossings::LegCrossings(const StrandTracker& tracker, std::size_t loopCount) 
     std::vector<std::int32_t> next(m_first.begin(), m_first.end() - 1);
     for (std::size_t c = 0; c < m_crossings.size(); ++c) {
         for (const std::int32_t piece : {m_crossings[c].over, m_crossings[c].under}) {
-            m_onPiece[static_cast<std::size_t>(next[static_cast<std::size_t>(piece)]++)] = static_cast<std::int32_t>(c);
+            m_onPiece[static_cast<std::size_t>(next[static_cast<std::size_t>(piece)]++)] =
+                static_cast<std::int32_t>(c);
         }
     }
 }
 
 void LegCrossings::add(const Passing& passing, LoopIndex over, LoopIndex under) {
-    // The over strand goes right past the under one (sign +1): its right leg meets the left leg of the other first.
+    // The over strand goes right past the under one (sign +1): its right leg meets the left leg of the other
+    // first.
     const auto overs = fromLeft(passing.over.kind);
     const auto unders = fromLeft(passing.under.kind);
     for (std::size_t i = 0; i < overs.size(); ++i) {

@@ -11,12 +11,12 @@ namespace knittsim::fabric {
 /// A piece of yarn that crossings lie on: a leg of a loop, or the float before it.
 enum class Piece : std::uint8_t { LeftLeg, RightLeg, Float };
 
-/// Passings of strands as crossings of single legs and floats: two loops cross with four pairs of legs, a float
-/// crosses a loop with two.
+/// Passings of strands as crossings of single legs and floats: two loops cross with four pairs of legs, a
+/// float crosses a loop with two.
 class LegCrossings {
 public:
     struct Crossing {
-        std::int32_t over = 0;    ///< piece number, see number()
+        std::int32_t over = 0; ///< piece number, see number()
         std::int32_t under = 0;
         OperationIndex operation = 0;
         std::int8_t sign = 1;
@@ -24,7 +24,9 @@ public:
 
     LegCrossings(const StrandTracker& tracker, std::size_t loopCount);
 
-    static std::int32_t number(LoopIndex loop, Piece piece) { return loop * 3 + static_cast<std::int32_t>(piece); }
+    static std::int32_t number(LoopIndex loop, Piece piece) {
+        return loop * 3 + static_cast<std::int32_t>(piece);
+    }
 
     const std::vector<Crossing>& all() const { return m_crossings; }
 
@@ -38,7 +40,7 @@ private:
     void add(const Passing& passing, LoopIndex over, LoopIndex under);
 
     std::vector<Crossing> m_crossings;
-    std::vector<std::int32_t> m_first;     ///< by piece
+    std::vector<std::int32_t> m_first; ///< by piece
     std::vector<std::int32_t> m_onPiece;
 };
 

@@ -33,9 +33,12 @@ void placeHeads(Fabric& fabric, const machine::MachineProfile& profile, double h
 /// Adds the place of every crossing as its strand would have it, counted between the next heads or feet.
 void placeCrossings(Fabric& fabric) {
     std::vector<PointIndex> run;
-    const auto isCorner = [&](PointIndex p) { return fabric.points[static_cast<std::size_t>(p)].role != Role::Crossing; };
+    const auto isCorner = [&](PointIndex p) {
+        return fabric.points[static_cast<std::size_t>(p)].role != Role::Crossing;
+    };
     const auto place = [&](PointIndex p) -> Vec3& {
-        return fabric.machinePositions[static_cast<std::size_t>(fabric.points[static_cast<std::size_t>(p)].entry)];
+        return fabric
+            .machinePositions[static_cast<std::size_t>(fabric.points[static_cast<std::size_t>(p)].entry)];
     };
     for (const Yarn& yarn : fabric.yarns) {
         PointIndex before = -1;
@@ -54,7 +57,7 @@ void placeCrossings(Fabric& fabric) {
             before = p;
         }
         for (const PointIndex p : run) {
-            place(p) += 0.5 * place(before);   // the last leg of a yarn that ends with a tuck
+            place(p) += 0.5 * place(before); // the last leg of a yarn that ends with a tuck
         }
     }
 }

@@ -5,9 +5,10 @@
 
 namespace knittsim::fabric {
 
-/// Fills Fabric::machinePositions: where the bonding points are while the fabric hangs on the machine. Across, the
-/// needle where the loop was bound; in depth, half the bed gap to the front or the rear; in height, courses as
-/// tall as a loop stretched over a needle is. Crossings lie between their neighbours on both strands.
+/// Fills Fabric::machinePositions: where the bonding points are while the fabric hangs on the machine.
+/// Across, the needle where the loop was bound; in depth, half the bed gap to the front or the rear; in
+/// height, courses as tall as a loop stretched over a needle is. Crossings lie between their neighbours on
+/// both strands.
 void layOutOnMachine(Fabric& fabric, const machine::MachineProfile& profile);
 
 } // namespace knittsim::fabric

@@ -18,7 +18,9 @@ std::uint64_t pairCode(Strand a, Strand b) {
     return low << 32 | high;
 }
 
-int signOf(double value) { return (value > 0) - (value < 0); }
+int signOf(double value) {
+    return (value > 0) - (value < 0);
+}
 
 constexpr std::array kFrontBeds{Bed::Front, Bed::FrontSlider};
 constexpr std::array kRearBeds{Bed::Rear, Bed::RearSlider};
@@ -49,7 +51,8 @@ void StrandTracker::pass(Strand over, Strand under, int sign) {
     const auto [place, isNew] = m_last.try_emplace(pairCode(over, under), -1);
     if (place->second >= 0) {
         Passing& last = m_passings[static_cast<std::size_t>(place->second)];
-        if (last.over == over && last.sign == -sign && last.overStay == stay(over) && last.underStay == stay(under)) {
+        if (last.over == over && last.sign == -sign && last.overStay == stay(over) &&
+            last.underStay == stay(under)) {
             last.undone = true;
             countOpen(last, -1);
             place->second = last.previous;
@@ -114,7 +117,8 @@ void StrandTracker::collectLoops(Bed bed, const Key& low, const Key& high, doubl
 void StrandTracker::collectYarns(const Key& low, const Key& high, const machine::CarrierSet& except) {
     for (std::size_t c = 0; c < m_yarns.size(); ++c) {
         const Yarn& yarn = m_yarns[c];
-        if (yarn.open && !except.contains(static_cast<CarrierIndex>(c)) && low < yarn.key && yarn.key < high) {
+        if (yarn.open && !except.contains(static_cast<CarrierIndex>(c)) && low < yarn.key &&
+            yarn.key < high) {
             const int rail = m_program.header.carriers[c].rail;
             m_met.push_back({yarn.key, {Strand::Kind::Float, yarn.number}, 0, rail});
         }
@@ -129,7 +133,8 @@ void StrandTracker::sortMet(int direction) {
 
 void StrandTracker::passFloat(CarrierIndex moving, const Met& met, int direction) {
     const Strand self{Strand::Kind::Float, m_yarns[moving].number};
-    const bool selfInFront = met.layer < 0 || (met.layer == 0 && m_program.header.carriers[moving].rail <= met.rail);
+    const bool selfInFront =
+        met.layer < 0 || (met.layer == 0 && m_program.header.carriers[moving].rail <= met.rail);
     if (selfInFront) {
         pass(self, met.strand, direction);
     } else {
@@ -166,8 +171,9 @@ void StrandTracker::loopsMoved(Needle from, Needle to, std::span<const LoopIndex
         m_fates[i].needle = to;
         m_fates[i].rack = m_emulator.state().rack;
         std::vector<Move>& moves = m_movesOf[loop];
-        if (!moves.empty() && moves.back().fromFront != fromFront && moves.back().openPassings == m_openPassings[i]) {
-            m_stay[i] = moves.back().stayBefore;   // came back unchanged: as if it had never left
+        if (!moves.empty() && moves.back().fromFront != fromFront &&
+            moves.back().openPassings == m_openPassings[i]) {
+            m_stay[i] = moves.back().stayBefore; // came back unchanged: as if it had never left
             moves.pop_back();
         } else {
             moves.push_back({fromFront, m_stay[i], m_openPassings[i]});
@@ -180,12 +186,15 @@ void StrandTracker::loopsMoved(Needle from, Needle to, std::span<const LoopIndex
 void StrandTracker::loopsDropped(Needle needle, std::span<const LoopIndex> loops) {
     for (const LoopIndex loop : loops) {
         Fate& fate = m_fates[static_cast<std::size_t>(loop)];
-        fate = {needle, m_emulator.state().rack, fate.end == Loop::End::Bound ? fate.end : Loop::End::Dropped};
+        fate = {needle, m_emulator.state().rack,
+                fate.end == Loop::End::Bound ? fate.end : Loop::End::Dropped};
     }
     forgetFacing(needle);
 }
 
-void StrandTracker::yarnCut(CarrierIndex carrier) { m_yarns[carrier] = {}; }
+void StrandTracker::yarnCut(CarrierIndex carrier) {
+    m_yarns[carrier] = {};
+}
 
 bool StrandTracker::holdsLoop(bool front, std::int32_t index) const {
     return std::ranges::any_of(front ? kFrontBeds : kRearBeds, [&](Bed bed) {
@@ -194,7 +203,8 @@ bool StrandTracker::holdsLoop(bool front, std::int32_t index) const {
 }
 
 void StrandTracker::forgetFacing(Needle emptied) {
-    const double rear = machine::isFront(emptied.bed) ? emptied.index - m_emulator.state().rack : emptied.index;
+    const double rear =
+        machine::isFront(emptied.bed) ? emptied.index - m_emulator.state().rack : emptied.index;
     m_facingFrom.erase(static_cast<std::int32_t>(std::lround(rear)));
 }
 

@@ -39,10 +39,13 @@ public:
     }
 
 private:
-    const machine::Loop& made(LoopIndex loop) const { return m_fabric.made.loops[static_cast<std::size_t>(loop)]; }
+    const machine::Loop& made(LoopIndex loop) const {
+        return m_fabric.made.loops[static_cast<std::size_t>(loop)];
+    }
 
     void threadYarn(const std::vector<LoopIndex>& loops) {
-        Yarn yarn{.carrier = made(loops[0]).carrier, .first = static_cast<PointIndex>(m_fabric.points.size())};
+        Yarn yarn{.carrier = made(loops[0]).carrier,
+                  .first = static_cast<PointIndex>(m_fabric.points.size())};
         m_yarnFirst = yarn.first;
         m_pending = 0;
         m_loose = 0;
@@ -80,7 +83,8 @@ private:
     void threadLoop(LoopIndex index) {
         const machine::Loop& loop = made(index);
         const double floatLength =
-            m_yarnBegun ? kSinkerShare * loop.lengthMm + std::max(0.0, loop.wayPitches - 1) * m_fabric.pitchMm : 0;
+            m_yarnBegun ? kSinkerShare * loop.lengthMm + std::max(0.0, loop.wayPitches - 1) * m_fabric.pitchMm
+                        : 0;
         const double leg = kLegShare * loop.lengthMm;
         const bool rightward = loop.direction == Direction::Right;
         const Side in = rightward ? Side::Left : Side::Right;
@@ -97,7 +101,8 @@ private:
         addFoot(index, out);
     }
 
-    /// A float or leg: its crossings at equal distances. `downwards`: the yarn runs against the order of time.
+    /// A float or leg: its crossings at equal distances. `downwards`: the yarn runs against the order of
+    /// time.
     void addPiece(LoopIndex loop, Piece piece, double length, bool downwards) {
         const auto crossings = m_crossings.on(loop, piece);
         const double share = length / static_cast<double>(crossings.size() + 1);
@@ -170,15 +175,16 @@ private:
     EntryTable& m_entries;
     std::vector<EntryIndex> m_rowOfCrossing;
     PointIndex m_yarnFirst = 0;
-    double m_pending = 0;       ///< mm of yarn since the last point
-    double m_loose = 0;         ///< mm of yarn before the first point
+    double m_pending = 0; ///< mm of yarn since the last point
+    double m_loose = 0;   ///< mm of yarn before the first point
     bool m_yarnBegun = false;
     std::int32_t m_pass = -1;
 };
 
 } // namespace
 
-void threadYarns(Fabric& fabric, const CourseNumbers& numbers, const LegCrossings& crossings, EntryTable& entries) {
+void threadYarns(Fabric& fabric, const CourseNumbers& numbers, const LegCrossings& crossings,
+                 EntryTable& entries) {
     Threader(fabric, numbers, crossings, entries).run();
 }
 

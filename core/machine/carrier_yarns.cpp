@@ -106,8 +106,8 @@ std::vector<CarrierYarn> carrierYarns(const Program& program, const yarn::YarnLi
 
 bool sameBody(const yarn::Yarn& a, const yarn::Yarn& b) {
     return a.tex == b.tex && a.outerDiameterMm == b.outerDiameterMm && a.coreDiameterMm == b.coreDiameterMm &&
-           a.axialStiffnessMilliNewton == b.axialStiffnessMilliNewton && a.bendingStiffness == b.bendingStiffness &&
-           a.friction == b.friction;
+           a.axialStiffnessMilliNewton == b.axialStiffnessMilliNewton &&
+           a.bendingStiffness == b.bendingStiffness && a.friction == b.friction;
 }
 
 } // namespace knittsim::machine

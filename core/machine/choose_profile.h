@@ -5,8 +5,8 @@
 
 namespace knittsim::machine {
 
-/// The machine a program is emulated on: the generic one, with the gauge that ';;Gauge:' names; a coarser or finer
-/// gauge takes loops longer or shorter in proportion.
+/// The machine a program is emulated on: the generic one, with the gauge that ';;Gauge:' names; a coarser or
+/// finer gauge takes loops longer or shorter in proportion.
 MachineProfile chooseProfile(const Header& header);
 
 } // namespace knittsim::machine

@@ -1,9 +1,10 @@
 #include "core/machine/emulator.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fmt/format.h>
 
 namespace knittsim::machine {
 
@@ -271,7 +272,8 @@ bool Emulator::canTransfer(const Operation& op, const Report& report) const {
     const int wanted = front.index - rear.index;
     if (m_state.rack != wanted) {
         report("KS0206", Severity::Error,
-               {toString(op.needle), toString(op.target), fmt::format("{}", m_state.rack), std::to_string(wanted)});
+               {toString(op.needle), toString(op.target), fmt::format("{}", m_state.rack),
+                std::to_string(wanted)});
         return false;
     }
     return true;

@@ -20,7 +20,8 @@ public:
     /// `from` is null when the yarn has just come in.
     virtual void yarnMoved(CarrierIndex, const CarrierPlace* /*from*/, const CarrierPlace& /*to*/) {}
 
-    /// A loop is made; its parents leave the needle (Knit), stay (Tuck) or move on (Split, told by loopsMoved).
+    /// A loop is made; its parents leave the needle (Knit), stay (Tuck) or move on (Split, told by
+    /// loopsMoved).
     virtual void loopMade(LoopIndex) {}
 
     /// All loops of a needle move to another needle, on top of the loops there.
@@ -36,11 +37,11 @@ public:
     virtual void yarnCut(CarrierIndex) {}
 };
 
-/// Carries out operations with the meaning of knitout 2: knit through all loops of a needle, tuck, split, transfer
-/// to empty and occupied needles, carriers that move along with transferred loops.
+/// Carries out operations with the meaning of knitout 2: knit through all loops of a needle, tuck, split,
+/// transfer to empty and occupied needles, carriers that move along with transferred loops.
 ///
-/// An operation that a machine cannot do is reported (KS02xx) and carried out as far as it makes sense, so that
-/// a program with faults still shows. Only an impossible transfer leaves its loops where they are.
+/// An operation that a machine cannot do is reported (KS02xx) and carried out as far as it makes sense, so
+/// that a program with faults still shows. Only an impossible transfer leaves its loops where they are.
 class Emulator {
 public:
     /// Starts with empty beds. Both must outlive the emulator.
@@ -82,7 +83,7 @@ private:
     MachineState m_state;
     LoopTable m_loops;
     bool m_replay = false;
-    std::vector<LoopIndex> m_parents;   ///< loops the present operation draws through
+    std::vector<LoopIndex> m_parents; ///< loops the present operation draws through
 };
 
 /// Needles farther than this from needle 0 are refused (KS0208), so that memory stays bounded. Real beds have

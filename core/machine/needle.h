@@ -11,8 +11,12 @@ enum class Bed : std::uint8_t { Front, Rear, FrontSlider, RearSlider };
 
 constexpr int kBedCount = 4;
 
-constexpr bool isFront(Bed bed) { return bed == Bed::Front || bed == Bed::FrontSlider; }
-constexpr bool isSlider(Bed bed) { return bed == Bed::FrontSlider || bed == Bed::RearSlider; }
+constexpr bool isFront(Bed bed) {
+    return bed == Bed::Front || bed == Bed::FrontSlider;
+}
+constexpr bool isSlider(Bed bed) {
+    return bed == Bed::FrontSlider || bed == Bed::RearSlider;
+}
 
 /// A needle of one bed. Negative indices are legal (knitout 2).
 struct Needle {
@@ -22,7 +26,8 @@ struct Needle {
     auto operator<=>(const Needle&) const = default;
 };
 
-/// Position along the front bed in needle pitches; rear needle B lies at B + rack (FORMATS: knitout 2, racking).
+/// Position along the front bed in needle pitches; rear needle B lies at B + rack (FORMATS: knitout 2,
+/// racking).
 constexpr double positionPitches(Needle needle, double rack) {
     return isFront(needle.bed) ? needle.index : needle.index + rack;
 }

@@ -11,9 +11,9 @@ std::string toString(Needle needle) {
 
 const char* toString(OperationKind kind) {
     constexpr std::array<const char*, kOperationKindCount> kNames{
-        "in",    "inhook", "releasehook", "out",   "outhook", "stitch", "x-stitch-number",
-        "rack",  "knit",   "tuck",        "split", "drop",    "amiss",  "xfer",
-        "miss",  "pause",  "x-vis-color", "x-yarn-in", "x-yarn-out", "extension"};
+        "in",   "inhook", "releasehook", "out",       "outhook",    "stitch",   "x-stitch-number",
+        "rack", "knit",   "tuck",        "split",     "drop",       "amiss",    "xfer",
+        "miss", "pause",  "x-vis-color", "x-yarn-in", "x-yarn-out", "extension"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

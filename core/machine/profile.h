@@ -14,22 +14,23 @@ namespace knittsim::machine {
 struct MachineProfile {
     std::string id;
     std::string name;
-    double gauge = 15;                 ///< needles per inch
+    double gauge = 15; ///< needles per inch
     int needlesPerBed = 540;
-    double bedGapMm = 4;               ///< distance of the two needle rows
-    double minRack = -8;               ///< pitches
+    double bedGapMm = 4; ///< distance of the two needle rows
+    double minRack = -8; ///< pitches
     double maxRack = 8;
-    std::vector<double> rackFractions{0, 0.25, 0.5, 0.75};  ///< allowed fractional parts
+    std::vector<double> rackFractions{0, 0.25, 0.5, 0.75}; ///< allowed fractional parts
     std::vector<std::string> carriers;
     bool sliders = true;
     bool insertingHook = true;
     int maxLoopsOnNeedle = 6;
-    double defaultLoopLengthMm = 5;    ///< yarn in one plain loop where the program names no stitch size
-    std::vector<std::pair<double, double>> stitchTable;  ///< stitch number -> loop length mm, sorted by number
+    double defaultLoopLengthMm = 5; ///< yarn in one plain loop where the program names no stitch size
+    std::vector<std::pair<double, double>> stitchTable; ///< stitch number -> loop length mm, sorted by number
 
     double pitchMm() const { return units::kMillimetresPerInch / gauge; }
 
-    /// Yarn in one plain loop, mm: linear between table entries, the end values outside; the default with no table.
+    /// Yarn in one plain loop, mm: linear between table entries, the end values outside; the default with no
+    /// table.
     double loopLengthMm(double stitchNumber) const;
 };
 

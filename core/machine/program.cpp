@@ -27,14 +27,16 @@ std::vector<Pass> findPasses(const Program& program) {
         const bool yarn = carriesYarn(op.kind) && !op.carriers.empty();
         if (!yarn) {
             const bool harmless = op.kind == OperationKind::Extension || op.kind == OperationKind::Colour ||
-                                  op.kind == OperationKind::StitchNumber || op.kind == OperationKind::StitchSize ||
+                                  op.kind == OperationKind::StitchNumber ||
+                                  op.kind == OperationKind::StitchSize ||
                                   op.kind == OperationKind::ReleaseHook || op.kind == OperationKind::Pause;
             open = open && harmless;
             continue;
         }
         const double at = positionPitches(op.needle, rack);
         const bool joins = open && passes.back().direction == op.direction &&
-                           passes.back().carriers == op.carriers && op.needle != lastNeedle && (at - last) * sign(op.direction) >= 0;
+                           passes.back().carriers == op.carriers && op.needle != lastNeedle &&
+                           (at - last) * sign(op.direction) >= 0;
         if (!joins) {
             passes.push_back({static_cast<OperationIndex>(i), 0, op.direction, op.carriers});
             open = true;

@@ -14,7 +14,7 @@ struct Carrier {
     std::string name;
     int rail = 0;
     bool parksRight = false;
-    std::string yarn;     ///< text of ';;Yarn-NAME:', may be empty
+    std::string yarn; ///< text of ';;Yarn-NAME:', may be empty
 
     bool operator==(const Carrier&) const = default;
 };
@@ -22,22 +22,23 @@ struct Carrier {
 struct Header {
     int version = 2;
     std::vector<Carrier> carriers;
-    std::string machine;               ///< ';;Machine:', may be empty
-    std::optional<double> gauge;       ///< needles per inch
-    std::string position;              ///< Left, Center, Right, Keep, or empty
-    std::optional<int> width;          ///< needles per bed
-    std::vector<std::pair<std::string, std::string>> others;  ///< further headers, in order
+    std::string machine;                                     ///< ';;Machine:', may be empty
+    std::optional<double> gauge;                             ///< needles per inch
+    std::string position;                                    ///< Left, Center, Right, Keep, or empty
+    std::optional<int> width;                                ///< needles per bed
+    std::vector<std::pair<std::string, std::string>> others; ///< further headers, in order
 
     bool operator==(const Header&) const = default;
 };
 
-/// Machine data of any format with the meaning of knitout 2. Plain value; no operation is checked against a machine.
+/// Machine data of any format with the meaning of knitout 2. Plain value; no operation is checked against a
+/// machine.
 struct Program {
-    std::string file;                      ///< where it was read from, may be empty
+    std::string file; ///< where it was read from, may be empty
     Header header;
     std::vector<Operation> operations;
-    std::vector<std::string> texts;        ///< texts of operations (extensions, colours)
-    std::vector<std::pair<OperationIndex, std::string>> sourceComments;  ///< ';!source:' kept word for word
+    std::vector<std::string> texts; ///< texts of operations (extensions, colours)
+    std::vector<std::pair<OperationIndex, std::string>> sourceComments; ///< ';!source:' kept word for word
 
     /// Index of the carrier with this name, or nothing.
     std::optional<CarrierIndex> findCarrier(const std::string& name) const;

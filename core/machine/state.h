@@ -12,20 +12,20 @@ namespace knittsim::machine {
 /// Where a carrier stands: infinitesimally to one side of a needle.
 struct CarrierPlace {
     Needle needle;
-    Direction side = Direction::Right;   ///< Right: just right of the needle
-    double pitches = 0;                  ///< position along the front bed when it got there
+    Direction side = Direction::Right; ///< Right: just right of the needle
+    double pitches = 0;                ///< position along the front bed when it got there
 
     bool operator==(const CarrierPlace&) const = default;
 };
 
 struct CarrierState {
-    bool in = false;              ///< in action
-    bool placed = false;          ///< has made a stitch or a miss since it came in
-    CarrierPlace place;           ///< valid when placed
-    bool looped = false;          ///< has made a loop since it came in
-    double wayPitches = 0;        ///< way since that loop, there and back added up
-    std::int32_t yarn = -1;       ///< running number of its yarn, -1 before the first
-    double fedMm = 0;             ///< yarn fed of this yarn so far
+    bool in = false;        ///< in action
+    bool placed = false;    ///< has made a stitch or a miss since it came in
+    CarrierPlace place;     ///< valid when placed
+    bool looped = false;    ///< has made a loop since it came in
+    double wayPitches = 0;  ///< way since that loop, there and back added up
+    std::int32_t yarn = -1; ///< running number of its yarn, -1 before the first
+    double fedMm = 0;       ///< yarn fed of this yarn so far
 
     bool operator==(const CarrierState&) const = default;
 };
@@ -57,12 +57,12 @@ private:
 
 /// The machine between two operations.
 struct MachineState {
-    OperationIndex nextOperation = 0;       ///< operations [0, nextOperation) have been carried out
-    std::array<NeedleRow, kBedCount> beds;  ///< by Bed
-    std::vector<CarrierState> carriers;     ///< by CarrierIndex
-    CarrierSet hook;                        ///< carriers held by the yarn inserting hook
-    double rack = 0;                        ///< pitches
-    double loopLengthMm = 0;                ///< yarn of the next plain loop
+    OperationIndex nextOperation = 0;      ///< operations [0, nextOperation) have been carried out
+    std::array<NeedleRow, kBedCount> beds; ///< by Bed
+    std::vector<CarrierState> carriers;    ///< by CarrierIndex
+    CarrierSet hook;                       ///< carriers held by the yarn inserting hook
+    double rack = 0;                       ///< pitches
+    double loopLengthMm = 0;               ///< yarn of the next plain loop
     std::int32_t loopCount = 0;
     std::int32_t yarnCount = 0;
 

@@ -6,8 +6,8 @@ namespace knittsim::machine {
 
 namespace {
 
-constexpr OperationIndex kMinInterval = 256;   // replay of so many operations takes well under a millisecond
-constexpr OperationIndex kMaxKeyframes = 128;  // bounds the memory for long programs
+constexpr OperationIndex kMinInterval = 256;  // replay of so many operations takes well under a millisecond
+constexpr OperationIndex kMaxKeyframes = 128; // bounds the memory for long programs
 constexpr std::size_t kMaxFindings = 1000;
 
 void reportEnd(const Program& program, const MachineState& state, Diagnostics& diagnostics) {

@@ -7,8 +7,8 @@
 
 namespace knittsim::machine {
 
-/// The machine after any operation of a program: keyframes plus replay. Immutable once made; safe to read from
-/// several threads. Owns copies of the program and the profile.
+/// The machine after any operation of a program: keyframes plus replay. Immutable once made; safe to read
+/// from several threads. Owns copies of the program and the profile.
 class Timeline {
 public:
     Timeline(Program program, MachineProfile profile);
@@ -33,7 +33,7 @@ private:
     LoopTable m_loops;
     Diagnostics m_diagnostics;
     OperationIndex m_interval = 1;
-    std::vector<MachineState> m_keyframes;   ///< after 0, interval, 2 interval, ... and the last operation
+    std::vector<MachineState> m_keyframes; ///< after 0, interval, 2 interval, ... and the last operation
 };
 
 } // namespace knittsim::machine

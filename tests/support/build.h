@@ -22,15 +22,17 @@ inline machine::Timeline timeline(const std::string& lines) {
     return {program(lines), machine::genericProfile()};
 }
 
-inline fabric::Fabric build(const std::string& lines) { return fabric::buildFabric(timeline(lines)); }
+inline fabric::Fabric build(const std::string& lines) {
+    return fabric::buildFabric(timeline(lines));
+}
 
 /// One pass over needles first..last (either way) of one bed, for example pass("knit", 'f', 0, 9, 1).
 inline std::string pass(const char* operation, char bed, int first, int last, int carrier, int step = 1) {
     std::string lines;
     const int direction = first <= last ? 1 : -1;
     for (int needle = first; (last - needle) * direction >= 0; needle += direction * step) {
-        lines += std::string(operation) + (direction > 0 ? " + " : " - ") + bed + std::to_string(needle) + ' ' +
-                 std::to_string(carrier) + '\n';
+        lines += std::string(operation) + (direction > 0 ? " + " : " - ") + bed + std::to_string(needle) +
+                 ' ' + std::to_string(carrier) + '\n';
     }
     return lines;
 }

@@ -1,6 +1,7 @@
 #include "tests/support/build.h"
 
 #include <gmock/gmock.h>
+
 #include <numeric>
 
 namespace knittsim::fabric {
@@ -65,7 +66,8 @@ TEST(Counts, FeetShareTheEntryOfTheHeadsBelow) {
 }
 
 TEST(Counts, YarnIsConserved) {
-    // 3 rows of 5 loops of 5 mm: the last two sinkers of a row and the turn are within the loops; nothing floats.
+    // 3 rows of 5 loops of 5 mm: the last two sinkers of a row and the turn are within the loops; nothing
+    // floats.
     const machine::Timeline timeline = test::timeline(plain(5, 3));
     const Fabric fabric = buildFabric(timeline);
     ASSERT_EQ(fabric.yarns.size(), 1U);
@@ -73,7 +75,8 @@ TEST(Counts, YarnIsConserved) {
     // The first loop has no sinker before it.
     EXPECT_NEAR(fabric.yarns[0].lengthMm, loop * (15 - kSinkerShare), 1e-9);
     const double sum = std::accumulate(fabric.lengths.begin(), fabric.lengths.end(), 0.0);
-    // Before the first and after the last bonding point lies one leg each: a leg of a cast-on loop and none at the end.
+    // Before the first and after the last bonding point lies one leg each: a leg of a cast-on loop and none
+    // at the end.
     EXPECT_NEAR(fabric.yarns[0].lengthMm - sum, loop * kLegShare, 1e-9);
 }
 
@@ -89,7 +92,8 @@ TEST(Counts, AFloatFeedsTheNeedlesItPasses) {
 }
 
 TEST(Counts, StackedLoopsShareTheirHeads) {
-    const Fabric fabric = build("in 1\nknit + f0 1\nknit + f1 1\nxfer f1 b1\nrack -1\nxfer b1 f0\nrack 0\nknit - f0 1\n");
+    const Fabric fabric =
+        build("in 1\nknit + f0 1\nknit + f1 1\nxfer f1 b1\nrack -1\nxfer b1 f0\nrack 0\nknit - f0 1\n");
     const auto entry = [&](PointIndex p) { return fabric.points[static_cast<std::size_t>(p)].entry; };
     EXPECT_EQ(entry(fabric.loops[0].headLeft), entry(fabric.loops[1].headLeft));
     EXPECT_EQ(entry(fabric.loops[0].headRight), entry(fabric.loops[1].headRight));
@@ -131,7 +135,8 @@ TEST(Counts, HistoryNamesOperationAndNeedle) {
     const machine::Timeline timeline = test::timeline("in 1\nknit + f3 1\nknit - b7 1\n");
     const Fabric fabric = buildFabric(timeline);
     for (const BondingPoint& point : fabric.points) {
-        const machine::Operation& op = timeline.program().operations[static_cast<std::size_t>(point.operation)];
+        const machine::Operation& op =
+            timeline.program().operations[static_cast<std::size_t>(point.operation)];
         EXPECT_EQ(op.needle, point.needle);
     }
 }

@@ -2,6 +2,7 @@
 #include "tests/support/build.h"
 
 #include <gmock/gmock.h>
+
 #include <set>
 
 namespace knittsim::fabric {
@@ -28,8 +29,9 @@ const std::string kBackRow = pass("knit", 'f', 3, 0, 1);
 std::string cable(int rackFirst) {
     const bool right = rackFirst > 0;
     return kFour + kAllToRear + "rack " + std::to_string(rackFirst) + "\n" +
-           (right ? "xfer b0 f2\nxfer b1 f3\n" : "xfer b2 f0\nxfer b3 f1\n") + "rack " + std::to_string(-rackFirst) +
-           "\n" + (right ? "xfer b2 f0\nxfer b3 f1\n" : "xfer b0 f2\nxfer b1 f3\n") + "rack 0\n" + kBackRow;
+           (right ? "xfer b0 f2\nxfer b1 f3\n" : "xfer b2 f0\nxfer b3 f1\n") + "rack " +
+           std::to_string(-rackFirst) + "\n" +
+           (right ? "xfer b2 f0\nxfer b3 f1\n" : "xfer b0 f2\nxfer b1 f3\n") + "rack 0\n" + kBackRow;
 }
 
 TEST(Crossings, TwoByTwoCableHasSixteenWithTheMachinesFrontStrand) {
@@ -63,7 +65,8 @@ TEST(Crossings, TransferThereAndBackLeavesNone) {
 }
 
 TEST(Crossings, RackThereAndBackLeavesNone) {
-    EXPECT_TRUE(build(kFour + "xfer f0 b0\nxfer f2 b2\nrack 3\nrack -2\nrack 0.25\nrack 0\nxfer b0 f0\nxfer b2 f2\n" +
+    EXPECT_TRUE(build(kFour +
+                      "xfer f0 b0\nxfer f2 b2\nrack 3\nrack -2\nrack 0.25\nrack 0\nxfer b0 f0\nxfer b2 f2\n" +
                       kBackRow)
                     .crossings.empty());
 }
@@ -87,8 +90,9 @@ TEST(Crossings, AFullTwistIsNotUndone) {
                                 "xfer f0 b0\nrack 2\nxfer b0 f2\nrack 0\nxfer f1 b1\nrack 2\nrack 0\n"
                                 "xfer b1 f1\n");
     EXPECT_EQ(fabric.crossings.size(), 4U + 4U - 4U) << "the second loop passes behind and comes back";
-    const Fabric twist = build("in 1\n" + pass("knit", 'f', 0, 1, 1) +
-                               "xfer f0 b0\nrack 2\nxfer b0 f2\nrack 0\nxfer f1 b1\nrack 2\nxfer b1 f3\nrack 0\n");
+    const Fabric twist =
+        build("in 1\n" + pass("knit", 'f', 0, 1, 1) +
+              "xfer f0 b0\nrack 2\nxfer b0 f2\nrack 0\nxfer f1 b1\nrack 2\nxfer b1 f3\nrack 0\n");
     EXPECT_EQ(twist.crossings.size(), 8U);
 }
 
@@ -113,10 +117,11 @@ TEST(Crossings, TubeLayersDoNotCross) {
 }
 
 TEST(Crossings, TheFrontRailLiesInFrontAtAnIntarsiaJoin) {
-    // Carrier 1 (front rail) tucks on the neighbour's needle, past carrier 3 that stands there, and goes back.
+    // Carrier 1 (front rail) tucks on the neighbour's needle, past carrier 3 that stands there, and goes
+    // back.
     const machine::Timeline timeline =
-        test::timeline("in 1\nin 3\n" + pass("knit", 'f', 0, 2, 1) + pass("knit", 'f', 5, 3, 3) + "tuck + f3 1\n" +
-                       pass("knit", 'f', 2, 0, 1) + pass("knit", 'f', 3, 5, 3));
+        test::timeline("in 1\nin 3\n" + pass("knit", 'f', 0, 2, 1) + pass("knit", 'f', 5, 3, 3) +
+                       "tuck + f3 1\n" + pass("knit", 'f', 2, 0, 1) + pass("knit", 'f', 3, 5, 3));
     machine::Emulator emulator(timeline.program(), timeline.profile());
     StrandTracker tracker(emulator, timeline.program());
     while (!emulator.atEnd()) {

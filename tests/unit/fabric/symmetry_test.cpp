@@ -1,8 +1,9 @@
 #include "core/fabric/fabric_builder.h"
 #include "tests/support/random_program.h"
 
-#include <algorithm>
 #include <gmock/gmock.h>
+
+#include <algorithm>
 #include <iterator>
 #include <numeric>
 #include <ostream>
@@ -94,7 +95,8 @@ std::vector<Seen> crossings(const Fabric& fabric, bool legsOnly) {
         const auto right = [&](PointIndex p, const BondingPoint& point) {
             return onLeg(fabric, p) && point.side == Side::Right;
         };
-        seen.push_back({over.loop, right(crossing.over, over), under.loop, right(crossing.under, under), crossing.sign});
+        seen.push_back(
+            {over.loop, right(crossing.over, over), under.loop, right(crossing.under, under), crossing.sign});
     }
     std::ranges::sort(seen);
     return seen;
@@ -125,7 +127,8 @@ std::vector<Seen> net(std::vector<Seen> crossings) {
 
 class Symmetry : public testing::TestWithParam<unsigned> {
 protected:
-    machine::Program m_program = test::randomProgram({.seed = GetParam(), .operations = 1200, .drops = false});
+    machine::Program m_program =
+        test::randomProgram({.seed = GetParam(), .operations = 1200, .drops = false});
 };
 
 TEST_P(Symmetry, TheMirroredProgramHasMirroredCrossings) {
@@ -143,7 +146,8 @@ TEST_P(Symmetry, TheMirroredProgramHasMirroredCrossings) {
 TEST_P(Symmetry, FromBehindTheSameLoopsCross) {
     const Fabric fabric = build(m_program);
     const Fabric other = build(turnedOver(m_program));
-    EXPECT_EQ(fabric.points.size() - fabric.crossings.size() * 2, other.points.size() - other.crossings.size() * 2);
+    EXPECT_EQ(fabric.points.size() - fabric.crossings.size() * 2,
+              other.points.size() - other.crossings.size() * 2);
     std::vector<Seen> expected;
     for (Seen s : crossings(fabric, true)) {
         expected.push_back({s.under, !s.underRight, s.over, !s.overRight, s.sign});
