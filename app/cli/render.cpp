@@ -1,0 +1,120 @@
+#include "app/cli/commands.h"
+#include "app/cli/load.h"
+#include "core/base/message_table.h"
+#include "core/simulation/simulation.h"
+#include "ui/render/offscreen.h"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace knittsim::cli {
+
+namespace {
+
+constexpr int kMaxPixels = 8192;
+
+struct RenderOptions {
+    LoadOptions load;
+    std::string picture;
+    render::DrawStyle style = render::DrawStyle::Yarn;
+    render::ViewSide side = render::ViewSide::Front;
+    std::string size = "1280x800";
+    std::string relax = "bonding-points";
+    double maxSeconds = 60;
+    bool dark = false;
+    bool transparent = false;
+};
+
+bool parseSize(const std::string& text, int& width, int& height) {
+    int used = 0;
+    return std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) == 2 &&
+           static_cast<std::size_t>(used) == text.size() && width > 0 && height > 0 && width <= kMaxPixels &&
+           height <= kMaxPixels;
+}
+
+std::vector<float> settledPositions(const Loaded& loaded, double maxSeconds) {
+    simulation::Simulation simulation;
+    simulation.apply(
+        simulation::command::Load{.fabric = loaded.fabric, .yarns = loaded.yarns, .generation = 1});
+    simulation.apply(simulation::command::Start{});
+    simulation.runToEnd(maxSeconds);
+    return simulation.frame().positions;
+}
+
+void print(const Diagnostics& diagnostics) {
+    for (const Diagnostic& diagnostic : diagnostics) {
+        fmt::print(stderr, "{}\n", toLine(diagnostic));
+    }
+}
+
+int runRender(const RenderOptions& options) {
+    render::RenderRequest request;
+    if (!parseSize(options.size, request.width, request.height)) {
+        fmt::print(stderr, "--size '{}': expected WxH, each from 1 to {}\n", options.size, kMaxPixels);
+        return kUnusable;
+    }
+    const auto loaded = load(options.load);
+    if (!loaded) {
+        return kUnusable;
+    }
+    const std::vector<float> positions =
+        options.relax == "none" ? std::vector<float>() : settledPositions(*loaded, options.maxSeconds);
+    request.fabric = loaded->fabric.get();
+    request.positions = positions;
+    for (const yarn::Yarn& yarn : loaded->yarns) {
+        request.looks.push_back(render::lookOf(yarn));
+    }
+    request.style = options.style;
+    request.side = options.side;
+    request.dark = options.dark;
+    request.transparent = options.transparent;
+    const auto image = render::renderFabric(request);
+    print(image.diagnostics());
+    if (!image) {
+        return kUnusable;
+    }
+    const auto written = render::writePng(options.picture, image.value());
+    print(written.diagnostics());
+    if (!written) {
+        return kUnusable;
+    }
+    return hasErrors(loaded->timeline->diagnostics()) ? kProblems : kFine;
+}
+
+} // namespace
+
+void addRender(CLI::App& app, Command& chosen) {
+    using render::DrawStyle;
+    using render::ViewSide;
+    static const std::map<std::string, DrawStyle> kStyles{
+        {"strokes", DrawStyle::Strokes}, {"yarn", DrawStyle::Yarn}, {"mesh", DrawStyle::Mesh}};
+    static const std::map<std::string, ViewSide> kSides{{"front", ViewSide::Front}, {"back", ViewSide::Back}};
+    auto options = std::make_shared<RenderOptions>();
+    CLI::App* command = app.add_subcommand("render", "Draw the fabric into a PNG file; needs no display");
+    command->add_option("file", options->load.file, "knitout file")->required();
+    command->add_option("-o", options->picture, "PNG file to write")->required();
+    command->add_option("--style", options->style, "strokes, yarn or mesh")
+        ->transform(CLI::CheckedTransformer(kStyles));
+    command->add_option("--side", options->side, "front or back")->transform(CLI::CheckedTransformer(kSides));
+    command->add_option("--size", options->size, "WxH in pixels")->capture_default_str();
+    command->add_option("--relax", options->relax, "settle before drawing")
+        ->check(CLI::IsMember({"none", "bonding-points"}))
+        ->capture_default_str();
+    command->add_option("--max-seconds", options->maxSeconds, "time limit of settling")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
+    command->add_option("--step", options->load.step, "draw the fabric after N operations")
+        ->check(CLI::NonNegativeNumber);
+    command->add_option("--yarn", options->load.yarns, "CARRIER=ID: yarn of a carrier, from the library");
+    command->add_option("--loop-length", options->load.loopLengthMm, "MM of yarn in every loop")
+        ->check(CLI::Range(0.1, 200.0));
+    command->add_flag("--dark", options->dark, "dark background");
+    command->add_flag("--transparent", options->transparent, "no background");
+    command->callback([&chosen, options] { chosen = [options] { return runRender(*options); }; });
+}
+
+} // namespace knittsim::cli
