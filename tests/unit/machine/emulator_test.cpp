@@ -9,7 +9,9 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-MachineState run(const std::string& lines) { return test::timeline(lines).finalState(); }
+MachineState run(const std::string& lines) {
+    return test::timeline(lines).finalState();
+}
 
 std::vector<std::string> findings(const std::string& lines) {
     std::vector<std::string> ids;
@@ -20,8 +22,12 @@ std::vector<std::string> findings(const std::string& lines) {
     return ids;
 }
 
-Needle f(int i) { return {Bed::Front, i}; }
-Needle b(int i) { return {Bed::Rear, i}; }
+Needle f(int i) {
+    return {Bed::Front, i};
+}
+Needle b(int i) {
+    return {Bed::Rear, i};
+}
 
 TEST(Emulator, KnitDrawsThroughAllLoopsOfTheNeedle) {
     const Timeline timeline = test::timeline("in 1\nknit + f0 1\ntuck + f0 1\nknit - f0 1\nout 1\n");
@@ -76,7 +82,9 @@ TEST(Emulator, RackingDoesNotMoveCarriers) {
     EXPECT_DOUBLE_EQ(state.carriers[0].place.pitches, 3);
 }
 
-TEST(Emulator, DropEmptiesTheNeedle) { EXPECT_THAT(run("in 1\nknit + f0 1\ndrop f0\n").loopsOn(f(0)), IsEmpty()); }
+TEST(Emulator, DropEmptiesTheNeedle) {
+    EXPECT_THAT(run("in 1\nknit + f0 1\ndrop f0\n").loopsOn(f(0)), IsEmpty());
+}
 
 TEST(Emulator, SlidersHoldTransferredLoops) {
     const Bed slider = Bed::RearSlider;
@@ -93,7 +101,8 @@ TEST(Emulator, SplitWithoutYarnIsATransfer) {
 }
 
 TEST(Emulator, CarrierFaultsAreFoundAtTheirLine) {
-    EXPECT_THAT(findings("knit + f0 2\nknit + f1 2\nout 2\n"), ElementsAre("KS0201@3")) << "once, not for each stitch";
+    EXPECT_THAT(findings("knit + f0 2\nknit + f1 2\nout 2\n"), ElementsAre("KS0201@3"))
+        << "once, not for each stitch";
     EXPECT_THAT(findings("in 1\nin 1\nout 1\n"), ElementsAre("KS0202@4"));
     EXPECT_THAT(findings("out 1\n"), ElementsAre("KS0203@3"));
     EXPECT_THAT(findings("inhook 1\ninhook 2\nreleasehook 2\nout 1 2\n"), ElementsAre("KS0204@4"));
@@ -107,7 +116,8 @@ TEST(Emulator, FarNeedlesAreRefusedSoThatMemoryStaysBounded) {
 }
 
 TEST(Emulator, StitchNumbersSetTheLoopLength) {
-    const Timeline timeline = test::timeline("in 1\nx-stitch-number 0\nknit + f0 1\nx-stitch-number 120\nknit + f1 1\n");
+    const Timeline timeline =
+        test::timeline("in 1\nx-stitch-number 0\nknit + f0 1\nx-stitch-number 120\nknit + f1 1\n");
     const MachineProfile profile = genericProfile();
     EXPECT_DOUBLE_EQ(timeline.loops().loops[0].lengthMm, profile.stitchTable.front().second);
     EXPECT_DOUBLE_EQ(timeline.loops().loops[1].lengthMm, profile.stitchTable.back().second);

@@ -8,7 +8,8 @@ namespace {
 using test::pass;
 
 TEST(Passes, ATurnBeginsANewPass) {
-    const auto passes = findPasses(test::program("in 1\n" + pass("knit", 'f', 0, 3, 1) + pass("knit", 'f', 3, 0, 1)));
+    const auto passes =
+        findPasses(test::program("in 1\n" + pass("knit", 'f', 0, 3, 1) + pass("knit", 'f', 3, 0, 1)));
     ASSERT_EQ(passes.size(), 2U);
     EXPECT_EQ(passes[0].first, 1);
     EXPECT_EQ(passes[0].count, 4);

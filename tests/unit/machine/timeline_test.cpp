@@ -3,6 +3,7 @@
 #include "tests/support/random_program.h"
 
 #include <gtest/gtest.h>
+
 #include <algorithm>
 #include <numeric>
 #include <random>
