@@ -12,6 +12,9 @@ constexpr int kMostIterations = 400;
 } // namespace
 
 void NewtonCg::initialise(Model& model, const Motion& /*motion*/) {
+    if (m_model != &model) {
+        m_preconditioner.prepare(model);
+    }
     m_model = &model;
     m_fresh = true;
 }

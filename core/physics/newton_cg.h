@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/physics/integrator.h"
-#include "core/physics/preconditioner.h"
+#include "core/physics/two_level.h"
 
 namespace knittsim::physics {
 
@@ -18,7 +18,7 @@ private:
     StepReport tryStep(Motion& motion, const Interrupt& interrupt);
 
     Model* m_model = nullptr;
-    BlockJacobi m_preconditioner;
+    TwoLevel m_preconditioner;
     Vector m_gradient;
     double m_energy = 0;
     double m_lastNorm = 0;

@@ -4,13 +4,14 @@
 
 namespace knittsim::physics {
 
-void BlockJacobi::build(const Model& model) {
+void BlockJacobi::build(const Model& model, double massFactor) {
     m_blocks = model.diagonal();
-    m_inverse = m_blocks;
+    m_inverse.resize(3, m_blocks.cols());
     for (Entry e = 0; e < model.entryCount(); ++e) {
-        auto block = m_inverse.middleCols<3>(Eigen::Index{3} * e);
+        auto block = m_blocks.middleCols<3>(Eigen::Index{3} * e);
+        block.diagonal().array() += massFactor * model.mass()[e];
         const Matrix3 inverse = Matrix3(block).inverse();
-        block = 0.5 * (inverse + inverse.transpose());
+        m_inverse.middleCols<3>(Eigen::Index{3} * e) = 0.5 * (inverse + inverse.transpose());
     }
 }
 

@@ -5,10 +5,11 @@
 
 namespace knittsim::physics {
 
-/// Inverse of the 3x3 diagonal blocks of a linearised model: symmetric, positive definite.
+/// Inverse of the 3x3 diagonal blocks D of H + massFactor M for a linearised model: symmetric, positive
+/// definite.
 class BlockJacobi {
 public:
-    void build(const Model& model);
+    void build(const Model& model, double massFactor = 0);
 
     /// z = D^-1 r
     void apply(const Vector& r, Vector& z) const;

@@ -1,0 +1,133 @@
+#include "core/physics/coarse_space.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+
+namespace knittsim::physics {
+
+namespace {
+
+/// Sums 3x3 blocks by patch; keeps the lower triangle. Rows are short, so a search along them is quick.
+class PatchSums final : public BlockSink {
+public:
+    PatchSums(const std::vector<int>& patch, int count)
+        : m_patch(patch), m_rows(static_cast<std::size_t>(count)) {
+        for (int p = 0; p < count; ++p) {
+            m_rows[static_cast<std::size_t>(p)].push_back({p, Matrix3::Zero()});
+        }
+    }
+
+    void add(Entry row, Entry column, const Matrix3& block) override {
+        addToPatch(m_patch[static_cast<std::size_t>(row)], m_patch[static_cast<std::size_t>(column)], block);
+    }
+
+    void addToPatch(int row, int column, const Matrix3& block) {
+        if (row < column) {
+            return;
+        }
+        auto& blocks = m_rows[static_cast<std::size_t>(row)];
+        for (Block& b : blocks) {
+            if (b.column == column) {
+                b.value += block;
+                return;
+            }
+        }
+        blocks.push_back({column, block});
+    }
+
+    std::vector<Eigen::Triplet<double>> triplets() const {
+        std::vector<Eigen::Triplet<double>> result;
+        for (std::size_t row = 0; row < m_rows.size(); ++row) {
+            for (const Block& b : m_rows[row]) {
+                for (int i = 0; i < 3; ++i) {
+                    for (int j = 0; j < 3; ++j) {
+                        const int r = 3 * static_cast<int>(row) + i;
+                        const int c = 3 * b.column + j;
+                        if (r >= c) {
+                            result.emplace_back(r, c, b.value(i, j));
+                        }
+                    }
+                }
+            }
+        }
+        return result;
+    }
+
+private:
+    struct Block {
+        int column;
+        Matrix3 value;
+    };
+
+    const std::vector<int>& m_patch;
+    std::vector<std::vector<Block>> m_rows;
+};
+
+} // namespace
+
+void CoarseSpace::cut(const Model& model, int entriesAcross) {
+    const Eigen::Matrix3Xd& layout = model.layout();
+    const double entries = static_cast<double>(std::max<Eigen::Index>(1, layout.cols()));
+    const double across = std::max<double>(entriesAcross, std::sqrt(entries / (0.8 * kMostPatches)));
+    const Eigen::Vector3d low = layout.rowwise().minCoeff();
+    const Eigen::Vector3d extent = layout.rowwise().maxCoeff() - low;
+    // An entry's own share of the width and height, were they spread evenly over a rectangle of that shape.
+    const double share = std::sqrt(std::max(extent.x(), 1e-6) * std::max(extent.y(), 1e-6) / entries);
+    const double cell = std::max(across * share, 1e-6);
+    const double middle = low.z() + 0.5 * extent.z();
+
+    m_patch.resize(static_cast<std::size_t>(layout.cols()));
+    std::map<std::array<std::int64_t, 3>, int> numbers;
+    for (Eigen::Index e = 0; e < layout.cols(); ++e) {
+        const std::array<std::int64_t, 3> key{static_cast<std::int64_t>((layout(1, e) - low.y()) / cell),
+                                              static_cast<std::int64_t>((layout(0, e) - low.x()) / cell),
+                                              layout(2, e) > middle ? 1 : 0};
+        m_patch[static_cast<std::size_t>(e)] =
+            numbers.try_emplace(key, static_cast<int>(numbers.size())).first->second;
+    }
+    m_patchCount = static_cast<int>(numbers.size());
+    m_usable = false;
+    m_analysed = false;
+}
+
+bool CoarseSpace::build(const Model& model, double massFactor) {
+    PatchSums sums(m_patch, m_patchCount);
+    model.addBlocks(sums);
+    const double ground = 1e-6 * model.stiffnessScale();
+    for (int p = 0; p < m_patchCount; ++p) {
+        sums.addToPatch(p, p, ground * Matrix3::Identity());
+    }
+    for (Entry e = 0; e < model.entryCount(); ++e) {
+        const double pin = model.isPinned(e) ? model.stiffnessScale() : 0;
+        sums.add(e, e, (pin + massFactor * model.mass()[e]) * Matrix3::Identity());
+    }
+    const auto triplets = sums.triplets();
+    m_matrix.resize(3 * m_patchCount, 3 * m_patchCount);
+    m_matrix.setFromTriplets(triplets.begin(), triplets.end());
+    if (!m_analysed) {
+        m_solver.analyzePattern(m_matrix);
+        m_analysed = true;
+    }
+    m_solver.factorize(m_matrix);
+    m_usable = m_solver.info() == Eigen::Success;
+    return m_usable;
+}
+
+void CoarseSpace::apply(const Vector& r, Vector& z) const {
+    if (!m_usable) {
+        return;
+    }
+    Vector sums = Vector::Zero(Eigen::Index{3} * m_patchCount);
+    for (std::size_t e = 0; e < m_patch.size(); ++e) {
+        at(sums, m_patch[e]) += at(r, static_cast<Entry>(e));
+    }
+    const Vector moves = m_solver.solve(sums);
+    for (std::size_t e = 0; e < m_patch.size(); ++e) {
+        at(z, static_cast<Entry>(e)) += at(moves, m_patch[e]);
+    }
+}
+
+} // namespace knittsim::physics

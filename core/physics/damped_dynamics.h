@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/physics/integrator.h"
+
+namespace knittsim::physics {
+
+/// The Euler-Lagrange equations of the fabric with damping, one second-order equation a coordinate (PHYSICS
+/// 1):
+///
+///     M x'' = F(x) - (1/w) H x' - a M x'
+///
+/// w is the highest frequency of the net. Damping in proportion to the Hessian H calms the short waves, which
+/// the explicit methods could not follow otherwise; a is chosen so that the longest wave is damped
+/// critically.
+///
+/// Written as a first-order system in numbers of one size: time w t, unknowns y = (x, x'/w), all in mm.
+/// H is that of the shape at the last `freeze`, so that y' is a smooth function of y between two of them.
+class DampedDynamics {
+public:
+    /// Finds w for the shape of `motion`.
+    void attach(Model& model, const Motion& motion);
+
+    Model& model() const { return *m_model; }
+    double frequency() const { return m_frequency; }     ///< w, 1/s
+    double massDamping() const { return m_massDamping; } ///< a/w
+    Eigen::Index size() const { return 2 * m_model->size(); }
+
+    void freeze(const Vector& x) { m_model->linearise(x); }
+
+    /// y' at y; both of length size(). Counts evaluations.
+    void slope(Eigen::Ref<const Vector> y, Eigen::Ref<Vector> derivative);
+
+    /// Jacobian of `slope` times `direction`.
+    void jacobian(Eigen::Ref<const Vector> direction, Eigen::Ref<Vector> product);
+
+    void pack(const Motion& motion, Eigen::Ref<Vector> y) const;
+    void unpack(Eigen::Ref<const Vector> y, Motion& motion) const;
+
+    /// What a step that ended at `motion` achieved.
+    StepReport report(const Motion& motion, const Vector& before, double scaledStep);
+
+    int evaluations = 0; ///< of forces and Hessian products, since `report`
+
+private:
+    double highestFrequency() const;
+
+    Model* m_model = nullptr;
+    Vector m_inverseMass; ///< by coordinate, times 1/w^2
+    double m_frequency = 1;
+    double m_massDamping = 0;
+    Vector m_first, m_second, m_gradient;
+};
+
+} // namespace knittsim::physics
