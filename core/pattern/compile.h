@@ -34,7 +34,7 @@ struct CompileOptions {
 /// - Intarsia: zones are knitted in the direction of the carrier, each yarn tucking on the first wale of the
 /// next zone.
 ///
-/// Errors: KS0501 to KS0507, with course and needle.
+/// Errors: KS0008 and KS0501 to KS0508, with course and needle.
 Result<machine::Program> compile(const Chart& chart, const CompileOptions& options = {});
 
 } // namespace knittsim::pattern

@@ -16,16 +16,8 @@ Operation& ProgramBuilder::add(OperationKind kind) {
     return operation;
 }
 
-void ProgramBuilder::bringIn(CarrierIndex carrier, OperationKind kind) {
+void ProgramBuilder::carrier(OperationKind kind, CarrierIndex carrier) {
     add(kind).carriers.push(carrier);
-}
-
-void ProgramBuilder::takeOut(CarrierIndex carrier, OperationKind kind) {
-    add(kind).carriers.push(carrier);
-}
-
-void ProgramBuilder::releaseHook(CarrierIndex carrier) {
-    add(OperationKind::ReleaseHook).carriers.push(carrier);
 }
 
 void ProgramBuilder::colour(CarrierIndex carrier, yarn::Colour colour) {
@@ -52,18 +44,18 @@ void ProgramBuilder::rack(double pitches) {
 void ProgramBuilder::work(OperationKind kind, Direction direction, Needle needle, CarrierIndex carrier) {
     Operation& operation = add(kind);
     operation.direction = direction;
-    operation.needle = needle;
+    operation.needle = placed(needle);
     operation.carriers.push(carrier);
 }
 
 void ProgramBuilder::transfer(Needle from, Needle to) {
     Operation& operation = add(OperationKind::Xfer);
-    operation.needle = from;
-    operation.target = to;
+    operation.needle = placed(from);
+    operation.target = placed(to);
 }
 
 void ProgramBuilder::drop(Needle needle) {
-    add(OperationKind::Drop).needle = needle;
+    add(OperationKind::Drop).needle = placed(needle);
 }
 
 } // namespace knittsim::pattern

@@ -3,18 +3,17 @@
 #include "core/machine/program.h"
 #include "core/yarn/yarn.h"
 
-#include <string>
-
 namespace knittsim::pattern {
 
-/// Appends operations to a program. Rackings and stitch numbers are written only where they change.
+/// Appends operations to a program. Needles are given as wales and moved to `firstNeedle`; rackings and
+/// stitch numbers are written only where they change.
 class ProgramBuilder {
 public:
-    explicit ProgramBuilder(machine::Program& program) : m_program(program) {}
+    ProgramBuilder(machine::Program& program, int firstNeedle)
+        : m_program(program), m_firstNeedle(firstNeedle) {}
 
-    void bringIn(machine::CarrierIndex carrier, machine::OperationKind kind);
-    void takeOut(machine::CarrierIndex carrier, machine::OperationKind kind);
-    void releaseHook(machine::CarrierIndex carrier);
+    /// In, InHook, ReleaseHook, Out or OutHook.
+    void carrier(machine::OperationKind kind, machine::CarrierIndex carrier);
     void colour(machine::CarrierIndex carrier, yarn::Colour colour);
     void stitchNumber(double number);
     void rack(double pitches);
@@ -26,8 +25,12 @@ public:
 
 private:
     machine::Operation& add(machine::OperationKind kind);
+    machine::Needle placed(machine::Needle needle) const {
+        return {needle.bed, needle.index + m_firstNeedle};
+    }
 
     machine::Program& m_program;
+    int m_firstNeedle;
     double m_rack = 0;
     double m_stitchNumber = -1;
 };

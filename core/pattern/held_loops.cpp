@@ -1,0 +1,50 @@
+#include "core/pattern/held_loops.h"
+
+#include "core/pattern/move_plan.h"
+
+namespace knittsim::pattern {
+
+using machine::Bed;
+
+HeldLoops::HeldLoops(int wales) {
+    for (std::vector<bool>& needles : m_rows) {
+        needles.assign(static_cast<std::size_t>(wales), false);
+    }
+}
+
+Bed HeldLoops::bedOf(int wale) const {
+    return !has(Bed::Front, wale) && has(Bed::Rear, wale) ? Bed::Rear : Bed::Front;
+}
+
+void HeldLoops::toBed(int wale, Bed bed, ProgramBuilder& builder) {
+    const Bed other = bed == Bed::Front ? Bed::Rear : Bed::Front;
+    if (has(other, wale)) {
+        builder.rack(0);
+        builder.transfer({other, wale}, {bed, wale});
+        row(other)[static_cast<std::size_t>(wale)] = false;
+        add({bed, wale});
+    }
+}
+
+void HeldLoops::move(const std::vector<LoopMove>& moves, ProgramBuilder& builder) {
+    std::vector<bool> leaves(row(Bed::Front).size(), false);
+    for (const LoopMove& move : moves) {
+        leaves[static_cast<std::size_t>(move.from)] = true;
+        toBed(move.from, Bed::Rear, builder);
+    }
+    for (const LoopMove& move : moves) {
+        if (!leaves[static_cast<std::size_t>(move.to)]) {
+            toBed(move.to, Bed::Front, builder);
+        }
+    }
+    for (const MoveStep& step : planMoves(moves)) {
+        builder.rack(step.rack);
+        for (const LoopMove& move : step.moves) {
+            builder.transfer({Bed::Rear, move.from}, {Bed::Front, move.to});
+            row(Bed::Rear)[static_cast<std::size_t>(move.from)] = false;
+            add({Bed::Front, move.to});
+        }
+    }
+}
+
+} // namespace knittsim::pattern

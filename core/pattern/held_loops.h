@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/machine/needle.h"
+#include "core/pattern/chart.h"
+#include "core/pattern/program_builder.h"
+
+#include <array>
+#include <vector>
+
+namespace knittsim::pattern {
+
+/// Which needles hold loops, and the transfers that change it. Needles are numbered as wales.
+class HeldLoops {
+public:
+    explicit HeldLoops(int wales);
+
+    bool has(machine::Bed bed, int wale) const { return row(bed)[static_cast<std::size_t>(wale)]; }
+    bool any(int wale) const { return has(machine::Bed::Front, wale) || has(machine::Bed::Rear, wale); }
+    /// Bed on which the wale's loops hang; the front bed where there are none, or on both.
+    machine::Bed bedOf(int wale) const;
+
+    void add(machine::Needle needle) { row(needle.bed)[static_cast<std::size_t>(needle.index)] = true; }
+
+    /// Transfers the loops of the facing needle, if any, to this bed at racking 0.
+    void toBed(int wale, machine::Bed bed, ProgramBuilder& builder);
+    /// Carries out moves: all loops to the rear bed, then racking by racking to the front. Every `from` holds
+    /// a loop.
+    void move(const std::vector<LoopMove>& moves, ProgramBuilder& builder);
+
+private:
+    std::vector<bool>& row(machine::Bed bed) { return m_rows[static_cast<std::size_t>(bed)]; }
+    const std::vector<bool>& row(machine::Bed bed) const { return m_rows[static_cast<std::size_t>(bed)]; }
+
+    std::array<std::vector<bool>, 2> m_rows; ///< by Bed (front, rear) and wale
+};
+
+} // namespace knittsim::pattern
