@@ -14,7 +14,7 @@ namespace {
 // relaxed stitch: crossings 0.43 and 0.71 courses above the base line, head at 0.96, sinker at -0.82, belly
 // 0.94 wales wide.
 constexpr float kClaspHalfHeight = 0.28F; ///< from a bonding point to its lower and upper crossing
-constexpr float kClaspHalfWidth = 0.30F;  ///< new loop inside, old loop outside
+constexpr float kClaspHalfWidth = 0.24F;  ///< new loop inside, old loop outside
 constexpr float kDepthGain = 1.4F;        ///< makes up for what the spline cuts off between opposite depths
 constexpr float kCrossingGain = 1.5F;
 constexpr float kTailAcross = 1.5F;
@@ -29,7 +29,7 @@ constexpr float kFloatDip = 0.5F;
 constexpr float kHeadGain = 0.38F;
 constexpr float kHeadMost = 0.55F;
 constexpr float kBellyGain = 0.30F;
-constexpr float kBellyMost = 0.16F;
+constexpr float kBellyMost = 0.10F;
 constexpr float kFloatGain = 0.25F;
 constexpr float kFloatMost = 0.4F;
 constexpr float kOpenSinkerMost = 0.8F; ///< between loops without feet
@@ -102,7 +102,7 @@ void CurvePlanner::addTail(PointIndex p) {
                                 .far = point(p).entry,
                                 .dipMm = kTailDown * m_diameter,
                                 .across = sideSign(p) * kTailAcross * m_diameter,
-                                .out = lower(p)});
+                                .out = kDepthGain * lower(p)});
 }
 
 void CurvePlanner::addPoint(PointIndex p) {
@@ -186,15 +186,20 @@ void CurvePlanner::addLeg(PointIndex p, PointIndex q) {
 
 void CurvePlanner::addSinker(PointIndex p, PointIndex q) {
     const bool open = point(p).role == Role::Head && point(q).role == Role::Head;
-    m_plan.m_arcs.push_back({.control = newControl(p),
-                             .from = point(p).entry,
-                             .to = point(q).entry,
-                             .storedMm = stored(p),
-                             .gain = kHeadGain,
-                             .leastMm = kArcLeast * m_diameter,
-                             .mostRise = open ? kOpenSinkerMost : kHeadMost,
-                             .alongSide = -1,
-                             .out = 0.5F * kDepthGain * (lower(p) + lower(q))});
+    // The long yarn between loops without feet needs a broad bottom.
+    const int parts = open ? 2 : 1;
+    for (int i = 0; i < parts; ++i) {
+        m_plan.m_arcs.push_back({.control = newControl(p),
+                                 .from = point(p).entry,
+                                 .to = point(q).entry,
+                                 .share = open ? 0.3F + 0.4F * static_cast<float>(i) : 0.5F,
+                                 .storedMm = stored(p),
+                                 .gain = kHeadGain,
+                                 .leastMm = kArcLeast * m_diameter,
+                                 .mostRise = open ? kOpenSinkerMost : kHeadMost,
+                                 .alongSide = -1,
+                                 .out = 0.5F * kDepthGain * (lower(p) + lower(q))});
+    }
 }
 
 void CurvePlanner::addTurn(PointIndex p, PointIndex q) {

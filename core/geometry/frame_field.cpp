@@ -1,5 +1,7 @@
 #include "core/geometry/frame_field.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "ui/render/camera.h"
+#include "ui/render/fabric_scene.h"
+#include "ui/render/look.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace knittsim::render {
+
+/// Everything of a picture but the fabric's shape.
+struct View {
+    Camera camera;
+    int width = 1; ///< pixels of the framebuffer that is drawn into
+    int height = 1;
+    bool dark = false;
+    bool transparent = false; ///< clear to nothing instead of painting a background
+};
+
+/// Draws a fabric into the framebuffer that is bound. All functions, the destructor included, need the OpenGL
+/// context current that create() was called with.
+class FabricRenderer {
+public:
+    /// Errors: KS0402 (older than OpenGL 3.3 core), KS0403 (a shader does not build).
+    static Result<std::unique_ptr<FabricRenderer>> create();
+
+    ~FabricRenderer();
+    FabricRenderer(const FabricRenderer&) = delete;
+    FabricRenderer& operator=(const FabricRenderer&) = delete;
+
+    /// Sends a shape to the graphics memory. False, and nothing drawn from then on, when it is too large for
+    /// it.
+    bool upload(std::shared_ptr<const SceneFrame> frame);
+
+    /// By carrier. Diameters count as drawn; curves keep the ones they were made for.
+    void setLooks(std::vector<YarnLook> looks);
+
+    /// Highlights loops; an empty list ends it.
+    void setSelection(std::span<const machine::LoopIndex> loops);
+
+    /// Highlights one loop more faintly, -1 for none.
+    void setHovered(machine::LoopIndex loop);
+
+    void draw(const View& view);
+
+    const std::string& rendererName() const; ///< GL_RENDERER
+    const std::string& versionText() const;  ///< GL_VERSION
+
+private:
+    FabricRenderer();
+    struct Implementation;
+    std::unique_ptr<Implementation> m;
+};
+
+} // namespace knittsim::render

@@ -1,0 +1,194 @@
+#include "ui/render/fabric_scene.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace knittsim::render {
+
+namespace {
+
+constexpr std::int32_t kChunkNodes = 128;
+
+std::uint32_t quantise(float value, float low, float high, std::uint32_t steps) {
+    const float t = std::clamp((value - low) / (high - low), 0.0F, 1.0F);
+    return static_cast<std::uint32_t>(t * static_cast<float>(steps) + 0.5F);
+}
+
+/// Octahedral map, 2 x 11 bits.
+std::uint32_t packDirection(const Vec3f& direction) {
+    const float sum = std::max(1e-12F, direction.cwiseAbs().sum());
+    float x = direction.x() / sum;
+    float y = direction.y() / sum;
+    if (direction.z() < 0) {
+        const float foldedX = (1 - std::abs(y)) * (x < 0 ? -1.0F : 1.0F);
+        y = (1 - std::abs(x)) * (y < 0 ? -1.0F : 1.0F);
+        x = foldedX;
+    }
+    return quantise(x, -1, 1, 2046) | quantise(y, -1, 1, 2046) << 11;
+}
+
+/// A direction across the yarn that turns with it as little as it can and stays near the fabric's normal, so
+/// that the yarn's twist neither swims nor jumps.
+Vec3f carryOn(const Vec3f& before, const Vec3f& normal, const Vec3f& tangent) {
+    constexpr float kPull = 0.2F;
+    const Vec3f wanted = before + kPull * normal;
+    const Vec3f across = wanted - wanted.dot(tangent) * tangent;
+    const float length = across.norm();
+    return length > 1e-3F ? Vec3f(across / length) : Vec3f(tangent.unitOrthogonal());
+}
+
+std::vector<double> diametersOf(const fabric::Fabric& fabric, std::span<const YarnLook> looks) {
+    std::size_t carriers = looks.size();
+    for (const fabric::Yarn& yarn : fabric.yarns) {
+        carriers = std::max<std::size_t>(carriers, std::size_t{yarn.carrier} + 1);
+    }
+    std::vector<double> diameters(carriers, YarnLook().diameterMm);
+    std::ranges::transform(looks, diameters.begin(), [](const YarnLook& look) { return look.diameterMm; });
+    return diameters;
+}
+
+std::uint32_t markerKind(const fabric::Fabric& fabric, fabric::EntryIndex entry) {
+    bool foot = false;
+    for (const fabric::PointIndex p : fabric.at(entry)) {
+        const fabric::Role role = fabric.points[static_cast<std::size_t>(p)].role;
+        if (role == fabric::Role::Crossing) {
+            return 2;
+        }
+        foot = foot || role == fabric::Role::Foot;
+    }
+    return foot ? 0 : 1;
+}
+
+} // namespace
+
+int samplesFor(const fabric::Fabric& fabric) {
+    const std::size_t loops = fabric.loops.size();
+    return loops > 40000 ? 1 : loops > 5000 ? 2 : loops > 1500 ? 3 : loops > 300 ? 4 : 6;
+}
+
+FabricScene::FabricScene(std::shared_ptr<const fabric::Fabric> fabric, std::span<const YarnLook> looks,
+                         DrawStyle style)
+    : m_fabric(std::move(fabric)), m_style(style), m_diameters(diametersOf(*m_fabric, looks)) {
+    auto topology = std::make_shared<SceneTopology>();
+    topology->pointCount = m_fabric->points.size();
+    topology->loopOfPoint.reserve(m_fabric->points.size());
+    for (const fabric::BondingPoint& point : m_fabric->points) {
+        topology->loopOfPoint.push_back(point.loop);
+    }
+    if (style == DrawStyle::Mesh) {
+        for (const fabric::Yarn& yarn : m_fabric->yarns) {
+            topology->yarns.push_back({yarn.first, yarn.count, yarn.carrier});
+        }
+        topology->owner.resize(m_fabric->points.size());
+        for (std::size_t p = 0; p < topology->owner.size(); ++p) {
+            topology->owner[p] = static_cast<std::uint32_t>(p);
+        }
+    } else {
+        m_builder = std::make_unique<geometry::YarnCurveBuilder>(
+            *m_fabric, m_diameters,
+            geometry::CurveOptions{.samplesPerSegment = samplesFor(*m_fabric), .withSurface = true});
+        topology->yarns = m_builder->curves().yarns;
+        topology->owner.assign(m_builder->curves().point.begin(), m_builder->curves().point.end());
+    }
+    m_topology = std::move(topology);
+    m_machinePositions.reserve(m_fabric->machinePositions.size() * 3);
+    for (const Vec3& place : m_fabric->machinePositions) {
+        for (int c = 0; c < 3; ++c) {
+            m_machinePositions.push_back(static_cast<float>(place[c]));
+        }
+    }
+}
+
+std::shared_ptr<const SceneFrame> FabricScene::prepare(std::span<const float> positions) {
+    const std::span<const float> places =
+        positions.empty() ? std::span<const float>(m_machinePositions) : positions;
+    auto frame = std::make_shared<SceneFrame>();
+    frame->topology = m_topology;
+    frame->style = m_style;
+    frame->diameters.assign(m_diameters.begin(), m_diameters.end());
+    if (m_style == DrawStyle::Mesh) {
+        fillMesh(*frame, places);
+    } else {
+        m_builder->update(places);
+        fillCurves(*frame);
+    }
+    return frame;
+}
+
+void FabricScene::fillCurves(SceneFrame& frame) const {
+    const geometry::YarnCurves& curves = m_builder->curves();
+    frame.nodes.resize(curves.nodes.size());
+    frame.surface.resize(curves.nodes.size());
+    for (const geometry::YarnCurves::Range& yarn : curves.yarns) {
+        const float perDiameter = 1 / std::max(1e-3F, frame.diameters[yarn.carrier]);
+        const auto first = static_cast<std::size_t>(yarn.first);
+        const std::size_t last = first + static_cast<std::size_t>(yarn.count) - 1;
+        Vec3f reference = curves.normal[first];
+        for (std::size_t n = first; n <= last; ++n) {
+            const Vec3f& p = curves.nodes[n];
+            const Vec3f way = curves.nodes[std::min(n + 1, last)] - curves.nodes[std::max(n, first + 1) - 1];
+            reference = carryOn(reference, curves.normal[n], way / std::max(1e-9F, way.norm()));
+            frame.nodes[n] = {p.x(), p.y(), p.z(), curves.arc[n]};
+            frame.surface[n] = {packDirection(reference) |
+                                    quantise(curves.height[n] * perDiameter, -2, 2, 1023) << 22,
+                                packDirection(curves.normal[n])};
+        }
+    }
+    addChunks(frame);
+}
+
+void FabricScene::addChunks(SceneFrame& frame) const {
+    const auto placeOf = [&](std::int32_t n) {
+        return Vec3f::Map(frame.nodes[static_cast<std::size_t>(n)].data());
+    };
+    for (const geometry::YarnCurves::Range& yarn : m_topology->yarns) {
+        const std::int32_t last = yarn.first + yarn.count - 1;
+        for (std::int32_t first = yarn.first; first < last; first += kChunkNodes) {
+            Chunk chunk{first, std::min(kChunkNodes + 1, last - first + 1), yarn.carrier, {}, 0};
+            geometry::Bounds box;
+            for (std::int32_t n = first; n < first + chunk.count; ++n) {
+                box.add(placeOf(n));
+            }
+            chunk.centre = box.centre();
+            chunk.reach = 0.5F * box.size().norm();
+            const float radius = 0.5F * frame.diameters[yarn.carrier];
+            frame.bounds.add(box.low.array() - radius);
+            frame.bounds.add(box.high.array() + radius);
+            frame.chunks.push_back(chunk);
+        }
+    }
+}
+
+void FabricScene::fillMesh(SceneFrame& frame, std::span<const float> positions) const {
+    const auto placeOf = [&](fabric::EntryIndex entry) {
+        const std::size_t i = 3 * static_cast<std::size_t>(entry);
+        const Vec3f p = i + 2 < positions.size() ? Vec3f(positions[i], positions[i + 1], positions[i + 2])
+                                                 : Vec3f(Vec3f::Zero());
+        return p.allFinite() ? p : Vec3f(Vec3f::Zero());
+    };
+    const std::array<std::uint32_t, 2> towardsFront{packDirection(Vec3f::UnitX()),
+                                                    packDirection(Vec3f::UnitZ())};
+    frame.nodes.reserve(m_fabric->points.size());
+    frame.surface.assign(m_fabric->points.size(), towardsFront);
+    for (const fabric::Yarn& yarn : m_fabric->yarns) {
+        float arc = 0;
+        for (fabric::PointIndex p = yarn.first; p < yarn.first + yarn.count; ++p) {
+            const Vec3f place = placeOf(m_fabric->points[static_cast<std::size_t>(p)].entry);
+            if (p > yarn.first) {
+                const auto& before = frame.nodes.back();
+                // Coincident points still advance, so that a falling arc always means another yarn.
+                arc += std::max(1e-4F, (place - Vec3f(before[0], before[1], before[2])).norm());
+            }
+            frame.nodes.push_back({place.x(), place.y(), place.z(), arc});
+        }
+    }
+    addChunks(frame);
+    for (fabric::EntryIndex entry = 0; entry < m_fabric->entryCount; ++entry) {
+        const Vec3f p = placeOf(entry);
+        frame.markers.push_back({p.x(), p.y(), p.z(), markerKind(*m_fabric, entry)});
+    }
+}
+
+} // namespace knittsim::render

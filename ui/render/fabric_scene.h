@@ -1,0 +1,81 @@
+#pragma once
+
+#include "core/geometry/bounds.h"
+#include "core/geometry/yarn_curve_builder.h"
+#include "ui/render/look.h"
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace knittsim::render {
+
+/// What does not change while a fabric moves: for each node its carrier and bonding point, and where yarns
+/// lie.
+struct SceneTopology {
+    std::vector<std::uint32_t> owner; ///< by node: bonding point
+    std::vector<geometry::YarnCurves::Range> yarns;
+    std::vector<machine::LoopIndex> loopOfPoint;
+    std::size_t pointCount = 0;
+};
+
+/// A bonding point as the bare mesh shows it.
+struct Marker {
+    float x, y, z;
+    std::uint32_t kind; ///< fabric::Role, and 3 for the point of a held loop
+};
+
+/// A short piece of yarn, so that pieces outside the picture need not be drawn.
+struct Chunk {
+    std::int32_t firstNode = 0;
+    std::int32_t count = 0;
+    machine::CarrierIndex carrier = 0;
+    Vec3f centre = Vec3f::Zero();
+    float reach = 0; ///< mm from the centre to the farthest node
+};
+
+/// One shape of a fabric, ready for upload. Made on any thread, then immutable.
+struct SceneFrame {
+    std::shared_ptr<const SceneTopology> topology;
+    std::vector<std::array<float, 4>> nodes; ///< x y z mm, arc length mm
+    /// By node: a direction across the yarn (2 x 11 bits) with the height over the fabric (10 bits), and the
+    /// fabric's normal (2 x 11 bits).
+    std::vector<std::array<std::uint32_t, 2>> surface;
+    std::vector<Chunk> chunks;
+    std::vector<Marker> markers; ///< Mesh only
+    geometry::Bounds bounds;     ///< of the yarn
+    DrawStyle style = DrawStyle::Yarn;
+    std::vector<float> diameters; ///< by carrier, mm, as the curves were made for
+};
+
+/// Turns positions into frames for one fabric, one set of diameters and one style. Pure; one thread at a
+/// time.
+class FabricScene {
+public:
+    FabricScene(std::shared_ptr<const fabric::Fabric> fabric, std::span<const YarnLook> looks,
+                DrawStyle style);
+
+    /// `positions`: 3 per entry, mm; empty: where the machine leaves them.
+    std::shared_ptr<const SceneFrame> prepare(std::span<const float> positions);
+
+    /// Curves of the last frame, for picking. Not filled for Mesh.
+    const geometry::YarnCurves& curves() const { return m_builder->curves(); }
+
+private:
+    void fillCurves(SceneFrame& frame) const;
+    void addChunks(SceneFrame& frame) const;
+    void fillMesh(SceneFrame& frame, std::span<const float> positions) const;
+
+    std::shared_ptr<const fabric::Fabric> m_fabric;
+    DrawStyle m_style;
+    std::vector<double> m_diameters;
+    std::unique_ptr<geometry::YarnCurveBuilder> m_builder;
+    std::shared_ptr<const SceneTopology> m_topology;
+    std::vector<float> m_machinePositions;
+};
+
+/// Nodes between two control points: fewer for large fabrics, whose stitches are small on the screen.
+int samplesFor(const fabric::Fabric& fabric);
+
+} // namespace knittsim::render

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/fabric/fabric.h"
+#include "ui/render/camera.h"
+#include "ui/render/image.h"
+#include "ui/render/look.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace knittsim::render {
+
+/// One picture of a fabric.
+struct RenderRequest {
+    const fabric::Fabric* fabric = nullptr;
+    std::span<const float> positions; ///< 3 per entry, mm; empty: where the machine leaves them
+    std::vector<YarnLook> looks;      ///< by carrier; missing ones get a default look
+    DrawStyle style = DrawStyle::Yarn;
+    ViewSide side = ViewSide::Front;
+    std::optional<CameraState> camera; ///< instead of `side` and fitting the whole fabric
+    std::vector<machine::LoopIndex> selection;
+    int width = 1280;
+    int height = 800;
+    bool dark = false;        ///< background
+    bool transparent = false; ///< no background
+};
+
+/// Draws without a window or a display (EGL surfaceless). Slow to start: makes a context for each call.
+/// Errors: KS0401 (no OpenGL), KS0402 (too old), KS0403 (shaders), KS0404 (size).
+Result<Image> renderFabric(const RenderRequest& request);
+
+} // namespace knittsim::render
