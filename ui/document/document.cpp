@@ -1,0 +1,303 @@
+#include "ui/document/document.h"
+
+#include "core/base/resources.h"
+#include "ui/document/yarn_command.h"
+
+#include <QFileInfo>
+#include <QThreadPool>
+
+#include <algorithm>
+
+namespace knittsim::document {
+
+namespace {
+
+namespace command = simulation::command;
+
+std::shared_ptr<const yarn::YarnLibrary> readLibrary() {
+    auto library = yarn::YarnLibrary::read(resourceFolder() / "yarns");
+    return library ? std::make_shared<yarn::YarnLibrary>(std::move(library).value())
+                   : std::make_shared<yarn::YarnLibrary>(std::vector{yarn::defaultYarn()});
+}
+
+std::vector<yarn::Yarn> yarnsOf(const std::vector<CarrierYarn>& carriers) {
+    std::vector<yarn::Yarn> yarns;
+    yarns.reserve(carriers.size());
+    for (const CarrierYarn& carrier : carriers) {
+        yarns.push_back(carrier.yarn);
+    }
+    return yarns;
+}
+
+/// The neighbour of `value` among rising stops; the ends of the program count as stops.
+OperationIndex nextStop(const std::vector<OperationIndex>& stops, OperationIndex value, int direction,
+                        OperationIndex end) {
+    if (direction > 0) {
+        const auto found = std::upper_bound(stops.begin(), stops.end(), value);
+        return found == stops.end() ? end : *found;
+    }
+    const auto found = std::lower_bound(stops.begin(), stops.end(), value);
+    return found == stops.begin() ? 0 : *(found - 1);
+}
+
+} // namespace
+
+Document::Document(QObject* parent) : QObject(parent), m_library(readLibrary()), m_opener(m_library) {
+    if (const auto known = simulation::integrators(); !known.empty()) {
+        m_integrator = QString::fromUtf8(known.front().id);
+    }
+    connect(&m_opener, &Opener::stageChanged, this, &Document::openingStage);
+    connect(&m_opener, &Opener::finished, this, &Document::take);
+    connect(&m_bridge, &SimulationBridge::frameArrived, this, &Document::updateShownFrame);
+    connect(&m_bridge, &SimulationBridge::stateChanged, this, &Document::activityChanged);
+    connect(&m_prefixes, &PrefixBuilder::built, this,
+            [this](const std::shared_ptr<const PrefixFabric>& prefix) {
+                m_prefix = prefix;
+                m_prefixFrame.reset();
+                emit fabricShown();
+                updateShownFrame();
+            });
+}
+
+Document::~Document() = default;
+
+void Document::open(const QString& path) {
+    begin({path, QFileInfo(path).fileName(), {}});
+}
+
+void Document::openText(const QString& title, const QString& knitout) {
+    begin({{}, title, knitout});
+}
+
+void Document::begin(const OpenRequest& request) {
+    m_openingTitle = request.title;
+    m_opener.open(request);
+    emit openingStarted();
+    emit activityChanged();
+}
+
+void Document::cancelOpening() {
+    if (m_opener.busy()) {
+        m_opener.cancel();
+        emit openingEnded();
+        emit activityChanged();
+    }
+}
+
+void Document::take(const std::shared_ptr<const OpenedFile>& file) {
+    emit openingEnded();
+    if (file->readable()) {
+        show(file);
+    } else {
+        m_failed = file;
+        emit openFailed();
+    }
+    emit problemsChanged();
+    emit activityChanged();
+}
+
+void Document::show(const std::shared_ptr<const OpenedFile>& file) {
+    // A large file takes a while to free; the window need not wait for it.
+    QThreadPool::globalInstance()->start([old = std::move(m_file), prefix = std::move(m_prefix)] {});
+    m_file = file;
+    m_failed.reset();
+    m_prefixes.cancel();
+    m_prefix.reset();
+    m_prefixFrame.reset();
+    m_carriers = file->carriers;
+    m_step = operationCount();
+    m_selection = {};
+    m_undo.clear();
+    m_bridge.load(file->fabric, yarnsOf(m_carriers));
+    emit generationChanged();
+    emit opened();
+    emit yarnsChanged();
+    emit stepChanged();
+    emit selectionChanged();
+    emit fabricShown();
+    start();
+}
+
+const Diagnostics& Document::problems() const {
+    static const Diagnostics kNone;
+    if (m_failed) {
+        return m_failed->diagnostics;
+    }
+    return m_file ? m_file->diagnostics : kNone;
+}
+
+void Document::setStep(OperationIndex count) {
+    const OperationIndex end = operationCount();
+    const OperationIndex step = std::clamp(count, 0, end);
+    if (!m_file || step == m_step) {
+        return;
+    }
+    m_step = step;
+    if (step == end) {
+        m_prefixes.cancel();
+        m_prefix.reset();
+        m_prefixFrame.reset();
+        emit fabricShown();
+        updateShownFrame();
+    } else {
+        m_prefixes.request(m_file->timeline, m_file->fabric, step);
+    }
+    emit stepChanged();
+    selectOperation(step < end ? step - 1 : -1);
+}
+
+void Document::movePass(int direction) {
+    if (m_file) {
+        setStep(nextStop(m_file->passEnds, m_step, direction, operationCount()));
+    }
+}
+
+void Document::moveCourse(int direction) {
+    if (m_file) {
+        setStep(nextStop(m_file->courseEnds, m_step, direction, operationCount()));
+    }
+}
+
+machine::MachineState Document::machineState() const {
+    return m_file ? m_file->timeline->stateAfter(m_step) : machine::MachineState{};
+}
+
+std::shared_ptr<const fabric::Fabric> Document::shownFabric() const {
+    if (showsPrefix()) {
+        return m_prefix->fabric;
+    }
+    return m_file ? m_file->fabric : nullptr;
+}
+
+std::shared_ptr<const simulation::Frame> Document::shownFrame() const {
+    return showsPrefix() ? m_prefixFrame : m_bridge.frame();
+}
+
+void Document::updateShownFrame() {
+    const auto whole = m_bridge.frame();
+    if (!whole) {
+        return;
+    }
+    if (showsPrefix()) {
+        auto frame = std::make_shared<simulation::Frame>();
+        frame->generation = whole->generation;
+        frame->positions = prefixPositions(*m_prefix, whole->positions);
+        frame->state = whole->state;
+        m_prefixFrame = frame;
+    }
+    emit frameShown();
+}
+
+void Document::select(const Selection& selection) {
+    if (selection != m_selection) {
+        m_selection = selection;
+        emit selectionChanged();
+    }
+}
+
+void Document::selectLoop(LoopIndex loop) {
+    select(m_file ? selectionOfLoop(m_file->timeline->program(), m_file->timeline->loops(), loop)
+                  : Selection{});
+}
+
+void Document::selectOperation(OperationIndex operation) {
+    select(m_file ? selectionOfOperation(m_file->timeline->program(), m_file->timeline->loops(), operation)
+                  : Selection{});
+}
+
+void Document::selectLine(int line) {
+    select(m_file ? selectionOfLine(m_file->timeline->program(), m_file->timeline->loops(), line)
+                  : Selection{});
+}
+
+void Document::clearSelection() {
+    select({});
+}
+
+void Document::assignYarn(int carrier, const yarn::Yarn& yarn) {
+    if (carrier >= 0 && static_cast<std::size_t>(carrier) < m_carriers.size() &&
+        m_carriers[static_cast<std::size_t>(carrier)].yarn != yarn) {
+        m_undo.push(new YarnCommand(*this, carrier, yarn));
+    }
+}
+
+void Document::setCarrierColour(int carrier, yarn::Colour colour) {
+    if (carrier >= 0 && static_cast<std::size_t>(carrier) < m_carriers.size()) {
+        yarn::Yarn changed = m_carriers[static_cast<std::size_t>(carrier)].yarn;
+        changed.colour = colour;
+        assignYarn(carrier, changed);
+    }
+}
+
+void Document::applyYarn(int carrier, const yarn::Yarn& yarn) {
+    yarn::Yarn& present = m_carriers[static_cast<std::size_t>(carrier)].yarn;
+    const bool body = !machine::sameBody(present, yarn);
+    present = yarn;
+    if (body) {
+        m_bridge.post(command::SetYarn{carrier, yarn});
+        m_bridge.post(command::Start{});
+    }
+    emit yarnsChanged();
+}
+
+Activity Document::activity() const {
+    if (!m_file) {
+        return isOpening() ? Activity::Opening : Activity::Empty;
+    }
+    switch (m_bridge.state()) {
+    case simulation::State::Running:
+        return Activity::Settling;
+    case simulation::State::Paused:
+        return Activity::Paused;
+    case simulation::State::AtRest:
+        return Activity::AtRest;
+    case simulation::State::Failed:
+        return Activity::Failed;
+    default:
+        return Activity::Machine;
+    }
+}
+
+void Document::start() {
+    m_bridge.post(command::Start{});
+}
+void Document::pause() {
+    m_bridge.post(command::Pause{});
+}
+void Document::stepSimulation() {
+    m_bridge.post(command::Step{});
+}
+void Document::stop() {
+    m_bridge.post(command::Stop{});
+}
+
+void Document::restart() {
+    if (m_file) {
+        m_bridge.restart();
+        emit generationChanged();
+        start();
+    }
+}
+
+void Document::setIntegrator(const QString& id) {
+    if (id != m_integrator) {
+        m_integrator = id;
+        m_bridge.post(command::SetIntegrator{id.toStdString()});
+        emit integratorChanged();
+    }
+}
+
+void Document::drag(fabric::EntryIndex entry, Vec3 point) {
+    if (showsPrefix() && entry >= 0 && static_cast<std::size_t>(entry) < m_prefix->wholeEntry.size()) {
+        entry = m_prefix->wholeEntry[static_cast<std::size_t>(entry)];
+    }
+    if (entry >= 0) {
+        m_bridge.post(command::Drag{entry, point.x(), point.y(), point.z()});
+    }
+}
+
+void Document::releaseDrag() {
+    m_bridge.post(command::Release{});
+}
+
+} // namespace knittsim::document

@@ -1,0 +1,143 @@
+#pragma once
+
+#include "core/machine/timeline.h"
+#include "ui/document/opener.h"
+#include "ui/document/prefix_builder.h"
+#include "ui/document/selection.h"
+#include "ui/document/simulation_bridge.h"
+
+#include <QObject>
+#include <QUndoStack>
+
+#include <memory>
+#include <vector>
+
+namespace knittsim::document {
+
+/// What happens with the document now.
+enum class Activity {
+    Empty,   ///< nothing is open
+    Opening, ///< the first file is being opened
+    Machine, ///< as the machine leaves it; nothing moves yet
+    Settling,
+    Paused,
+    AtRest, ///< see Document::stopReason()
+    Failed, ///< the simulation gave up; the last good shape is kept
+};
+
+/// The open document: one file, its machine, its fabric, the yarns on the carriers, the operation that is
+/// shown, the selection, and the running simulation. All functions: window thread; none waits for reading,
+/// emulation or physics.
+class Document : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Document(QObject* parent = nullptr);
+    ~Document() override;
+
+    const yarn::YarnLibrary& library() const { return *m_library; }
+
+    /// Opens in the background. While it works, and when it fails, the present file stays as it is.
+    void open(const QString& path);
+    void openText(const QString& title, const QString& knitout);
+    void cancelOpening();
+    bool isOpening() const { return m_opener.busy(); }
+    QString openingTitle() const { return m_openingTitle; }
+
+    /// The open file, or null.
+    std::shared_ptr<const OpenedFile> file() const { return m_file; }
+    /// The last file that could not be read, or null when the last opening went well.
+    std::shared_ptr<const OpenedFile> failedFile() const { return m_failed; }
+    /// Problems of the last file tried.
+    const Diagnostics& problems() const;
+
+    /// Operations carried out in what is shown; 0 .. operationCount().
+    OperationIndex step() const { return m_step; }
+    OperationIndex operationCount() const { return m_file ? m_file->timeline->operationCount() : 0; }
+    void setStep(OperationIndex count);
+    void moveStep(int operations) { setStep(m_step + operations); }
+    void movePass(int direction);
+    void moveCourse(int direction);
+    /// The machine after step(); about a millisecond.
+    machine::MachineState machineState() const;
+
+    /// The fabric after step() operations, as soon as it is built; null when nothing is open.
+    std::shared_ptr<const fabric::Fabric> shownFabric() const;
+    /// The latest shape of shownFabric(); null while there is none.
+    std::shared_ptr<const simulation::Frame> shownFrame() const;
+
+    const Selection& selection() const { return m_selection; }
+    void selectLoop(LoopIndex loop);
+    void selectOperation(OperationIndex operation);
+    void selectLine(int line);
+    void clearSelection();
+
+    const std::vector<CarrierYarn>& carriers() const { return m_carriers; }
+    /// Undoable. Keeps the shape and goes on from it; with the same body (machine::sameBody) physics is not
+    /// touched.
+    void assignYarn(int carrier, const yarn::Yarn& yarn);
+    /// Undoable; only what is seen.
+    void setCarrierColour(int carrier, yarn::Colour colour);
+    QUndoStack* undoStack() { return &m_undo; }
+
+    Activity activity() const;
+    simulation::StopReason stopReason() const { return m_bridge.reason(); }
+    /// The latest frame of the whole fabric, for energies and times; null before the first.
+    std::shared_ptr<const simulation::Frame> frame() const { return m_bridge.frame(); }
+    std::uint64_t generation() const { return m_bridge.generation(); }
+
+    void start();
+    void pause();
+    void stepSimulation();
+    void restart();
+    void stop();
+    QString integrator() const { return m_integrator; }
+    void setIntegrator(const QString& id);
+    /// Pulls an entry of shownFabric() towards a point, mm; until releaseDrag().
+    void drag(fabric::EntryIndex entry, Vec3 point);
+    void releaseDrag();
+
+signals:
+    void openingStarted();
+    void openingStage(knittsim::document::OpeningStage stage);
+    void openingEnded(); ///< well, badly or cancelled
+    void opened();       ///< another file is shown now
+    void openFailed();
+    void problemsChanged();
+    void stepChanged();
+    void fabricShown(); ///< shownFabric() changed
+    void frameShown();  ///< shownFrame() changed
+    void selectionChanged();
+    void yarnsChanged();
+    void activityChanged();
+    void integratorChanged();
+    void generationChanged(); ///< load or restart: histories begin anew
+
+private:
+    friend class YarnCommand;
+
+    void begin(const OpenRequest& request);
+    void take(const std::shared_ptr<const OpenedFile>& file);
+    void show(const std::shared_ptr<const OpenedFile>& file);
+    void select(const Selection& selection);
+    void applyYarn(int carrier, const yarn::Yarn& yarn);
+    bool showsPrefix() const { return m_prefix != nullptr; }
+    void updateShownFrame();
+
+    std::shared_ptr<const yarn::YarnLibrary> m_library;
+    Opener m_opener;
+    QString m_openingTitle;
+    std::shared_ptr<const OpenedFile> m_file;
+    std::shared_ptr<const OpenedFile> m_failed;
+    std::vector<CarrierYarn> m_carriers;
+    OperationIndex m_step = 0;
+    Selection m_selection;
+    PrefixBuilder m_prefixes;
+    std::shared_ptr<const PrefixFabric> m_prefix; ///< null when the whole fabric is shown
+    std::shared_ptr<const simulation::Frame> m_prefixFrame;
+    SimulationBridge m_bridge;
+    QString m_integrator;
+    QUndoStack m_undo;
+};
+
+} // namespace knittsim::document

@@ -1,0 +1,122 @@
+#include "ui/document/opener.h"
+
+#include "core/base/file.h"
+#include "core/fabric/fabric_builder.h"
+#include "core/formats/formats.h"
+#include "core/formats/knitout/reader.h"
+#include "core/machine/choose_profile.h"
+#include "ui/document/mailbox.h"
+
+#include <QThreadPool>
+
+#include <algorithm>
+
+namespace knittsim::document {
+
+namespace {
+
+Result<machine::Program> readRequest(const OpenRequest& request) {
+    return request.path.isEmpty()
+               ? formats::knitout::parse(request.text.toStdString(), request.title.toStdString())
+               : formats::readProgram(std::filesystem::path(request.path.toStdString()));
+}
+
+/// The text that the source view shows; empty when the file cannot be read or is not text.
+std::shared_ptr<const SourceText> readSource(const OpenRequest& request) {
+    if (request.path.isEmpty()) {
+        return std::make_shared<SourceText>(request.text);
+    }
+    const Result<std::string> bytes = readFile(std::filesystem::path(request.path.toStdString()));
+    if (!bytes || bytes.value().find('\0') != std::string::npos) {
+        return std::make_shared<SourceText>();
+    }
+    return std::make_shared<SourceText>(QString::fromStdString(bytes.value()));
+}
+
+std::vector<OperationIndex> endsOfPasses(const machine::Program& program) {
+    std::vector<OperationIndex> ends;
+    for (const machine::Pass& pass : machine::findPasses(program)) {
+        ends.push_back(pass.first + pass.count);
+    }
+    return ends;
+}
+
+std::vector<OperationIndex> endsOfCourses(const machine::LoopTable& made, const fabric::Fabric& fabric) {
+    std::vector<OperationIndex> ends(static_cast<std::size_t>(std::max(fabric.courseCount, 0)), 0);
+    for (std::size_t i = 0; i < std::min(made.loops.size(), fabric.loops.size()); ++i) {
+        const auto course = static_cast<std::size_t>(std::max(fabric.loops[i].course, 0));
+        if (course < ends.size()) {
+            ends[course] = std::max(ends[course], made.loops[i].operation + 1);
+        }
+    }
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    return ends;
+}
+
+} // namespace
+
+std::shared_ptr<const OpenedFile> openFile(const OpenRequest& request, const yarn::YarnLibrary& library,
+                                           const std::function<void(OpeningStage)>& stage) {
+    const auto tell = [&](OpeningStage now) {
+        if (stage) {
+            stage(now);
+        }
+    };
+    auto file = std::make_shared<OpenedFile>();
+    file->request = request;
+    tell(OpeningStage::Reading);
+    file->source = readSource(request);
+    Result<machine::Program> program = readRequest(request);
+    file->diagnostics = program.diagnostics();
+    if (!program) {
+        return file;
+    }
+    tell(OpeningStage::Machine);
+    machine::MachineProfile profile = machine::chooseProfile(program->header);
+    file->timeline = std::make_shared<machine::Timeline>(std::move(program).value(), std::move(profile));
+    const Diagnostics& found = file->timeline->diagnostics();
+    file->diagnostics.insert(file->diagnostics.end(), found.begin(), found.end());
+    tell(OpeningStage::Fabric);
+    file->fabric = std::make_shared<fabric::Fabric>(fabric::buildFabric(*file->timeline));
+    file->grid = std::make_shared<StitchGrid>(file->timeline->loops(), *file->fabric);
+    file->carriers = machine::carrierYarns(file->timeline->program(), library, yarn::defaultYarn());
+    file->passEnds = endsOfPasses(file->timeline->program());
+    file->courseEnds = endsOfCourses(file->timeline->loops(), *file->fabric);
+    return file;
+}
+
+Opener::Opener(std::shared_ptr<const yarn::YarnLibrary> library, QObject* parent)
+    : QObject(parent), m_library(std::move(library)), m_mailbox(std::make_shared<Mailbox>(this)) {}
+
+Opener::~Opener() {
+    m_mailbox->close();
+}
+
+void Opener::open(const OpenRequest& request) {
+    const std::uint64_t generation = ++m_generation;
+    m_busy = true;
+    QThreadPool::globalInstance()->start(
+        [this, generation, request, library = m_library, mailbox = m_mailbox] {
+            const auto file = openFile(request, *library, [&](OpeningStage stage) {
+                mailbox->post([this, generation, stage] {
+                    if (generation == m_generation && m_busy) {
+                        emit stageChanged(stage);
+                    }
+                });
+            });
+            mailbox->post([this, generation, file] {
+                if (generation == m_generation && m_busy) {
+                    m_busy = false;
+                    emit finished(file);
+                }
+            });
+        });
+}
+
+void Opener::cancel() {
+    ++m_generation;
+    m_busy = false;
+}
+
+} // namespace knittsim::document

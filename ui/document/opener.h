@@ -1,0 +1,74 @@
+#pragma once
+
+#include "core/base/diagnostic.h"
+#include "core/fabric/fabric.h"
+#include "core/machine/carrier_yarns.h"
+#include "core/machine/timeline.h"
+#include "core/yarn/yarn_library.h"
+#include "ui/document/source_text.h"
+#include "ui/document/stitch_grid.h"
+
+#include <QObject>
+#include <QString>
+
+#include <memory>
+#include <vector>
+
+namespace knittsim::document {
+
+class Mailbox;
+using machine::CarrierYarn;
+
+/// What is to be opened: a file, or a text with a title (samples).
+struct OpenRequest {
+    QString path;  ///< empty for a sample
+    QString title; ///< as the window shows it
+    QString text;  ///< knitout of a sample; empty for a file
+};
+
+/// All that is made from one file, off the window's thread. Immutable.
+struct OpenedFile {
+    OpenRequest request;
+    Diagnostics diagnostics; ///< of reading and of the machine
+    std::shared_ptr<const SourceText> source;
+    std::shared_ptr<const machine::Timeline> timeline; ///< null when the file could not be read
+    std::shared_ptr<const fabric::Fabric> fabric;      ///< null with the timeline
+    std::shared_ptr<const StitchGrid> grid;            ///< null with the timeline
+    std::vector<CarrierYarn> carriers;
+    std::vector<OperationIndex> passEnds;   ///< operations done after each pass, rising
+    std::vector<OperationIndex> courseEnds; ///< operations done after each course, rising
+
+    bool readable() const { return timeline != nullptr; }
+};
+
+enum class OpeningStage { Reading, Machine, Fabric };
+
+/// The whole way from a file to a fabric. Pure but for reading; any thread. `stage` is told where the work
+/// is.
+std::shared_ptr<const OpenedFile> openFile(const OpenRequest& request, const yarn::YarnLibrary& library,
+                                           const std::function<void(OpeningStage)>& stage = {});
+
+/// Runs openFile in the background; a newer request or cancel() makes an older one unheard.
+class Opener : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Opener(std::shared_ptr<const yarn::YarnLibrary> library, QObject* parent = nullptr);
+    ~Opener() override;
+
+    void open(const OpenRequest& request);
+    void cancel();
+    bool busy() const { return m_busy; }
+
+signals:
+    void stageChanged(knittsim::document::OpeningStage stage);
+    void finished(std::shared_ptr<const knittsim::document::OpenedFile> file);
+
+private:
+    std::shared_ptr<const yarn::YarnLibrary> m_library;
+    std::shared_ptr<Mailbox> m_mailbox;
+    std::uint64_t m_generation = 0;
+    bool m_busy = false;
+};
+
+} // namespace knittsim::document

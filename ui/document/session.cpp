@@ -1,0 +1,81 @@
+#include "ui/document/session.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace knittsim::document {
+
+namespace {
+
+const QString kRecent = QStringLiteral("session/recentFiles");
+const QString kFolder = QStringLiteral("session/lastFolder");
+const QString kAppearance = QStringLiteral("preferences/appearance");
+
+} // namespace
+
+QString Session::filePath() {
+    const QString folder = qEnvironmentVariable("KNITTSIM_CONFIG_DIR");
+    const QString base = folder.isEmpty()
+                             ? QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) +
+                                   QStringLiteral("/knittsim")
+                             : folder;
+    return QDir(base).filePath(QStringLiteral("knittsim.ini"));
+}
+
+Session::Session() : m_settings(filePath(), QSettings::IniFormat) {
+    m_settings.setValue(QStringLiteral("version"), 1);
+}
+
+QStringList Session::recentFiles() const {
+    return m_settings.value(kRecent).toStringList();
+}
+
+void Session::addRecentFile(const QString& path) {
+    QStringList files = recentFiles();
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    m_settings.setValue(kRecent, QStringList(files.mid(0, kMaxRecentFiles)));
+}
+
+void Session::removeRecentFile(const QString& path) {
+    QStringList files = recentFiles();
+    files.removeAll(path);
+    m_settings.setValue(kRecent, files);
+}
+
+void Session::clearRecentFiles() {
+    m_settings.remove(kRecent);
+}
+
+QString Session::lastFolder() const {
+    return m_settings.value(kFolder, QDir::homePath()).toString();
+}
+
+void Session::setLastFolder(const QString& folder) {
+    m_settings.setValue(kFolder, folder);
+}
+
+Appearance Session::appearance() const {
+    const int stored = m_settings.value(kAppearance, 0).toInt();
+    return stored == 1 ? Appearance::Light : stored == 2 ? Appearance::Dark : Appearance::System;
+}
+
+void Session::setAppearance(Appearance appearance) {
+    m_settings.setValue(kAppearance, static_cast<int>(appearance));
+}
+
+QByteArray Session::value(const QString& key) const {
+    return m_settings.value(key).toByteArray();
+}
+
+void Session::setValue(const QString& key, const QByteArray& bytes) {
+    m_settings.setValue(key, bytes);
+}
+
+void Session::clear() {
+    m_settings.clear();
+}
+
+} // namespace knittsim::document

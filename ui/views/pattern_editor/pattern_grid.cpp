@@ -1,0 +1,343 @@
+#include "ui/views/pattern_editor/pattern_grid.h"
+
+#include "ui/document/operation_text.h"
+
+#include <QAccessible>
+#include <QApplication>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QScrollBar>
+#include <QToolTip>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace knittsim::ui {
+
+using document::GridCell;
+using document::GridPlace;
+using machine::LoopIndex;
+
+PatternGrid::PatternGrid(document::Document& document, QWidget* parent)
+    : QAbstractScrollArea(parent), m_document(document) {
+    setObjectName(QStringLiteral("patternGrid"));
+    setAccessibleName(tr("Pattern grid"));
+    setWhatsThis(tr(
+        "Needles across, courses up, one cell a stitch. Click selects a stitch; Ctrl and the wheel zoom."));
+    setFocusPolicy(Qt::StrongFocus);
+    setFrameShape(QFrame::NoFrame);
+    viewport()->setMouseTracking(true);
+    horizontalScrollBar()->setSingleStep(24);
+    verticalScrollBar()->setSingleStep(24);
+    connect(&m_document, &document::Document::opened, this, &PatternGrid::takeFile);
+    connect(&m_document, &document::Document::stepChanged, this, &PatternGrid::takeStep);
+    connect(&m_document, &document::Document::selectionChanged, this, &PatternGrid::takeSelection);
+    connect(&m_document, &document::Document::yarnsChanged, this, &PatternGrid::takeYarns);
+    takeFile();
+}
+
+const document::StitchGrid* PatternGrid::grid() const {
+    const auto file = m_document.file();
+    return file ? file->grid.get() : nullptr;
+}
+
+void PatternGrid::takeFile() {
+    const document::StitchGrid* chart = grid();
+    m_chart.columns = chart ? chart->columnCount() : 0;
+    m_chart.courses = chart ? chart->courseCount() : 0;
+    m_hover = -1;
+    takeYarns();
+    takeStep();
+    fitChart();
+    verticalScrollBar()->setValue(verticalScrollBar()->maximum());
+}
+
+void PatternGrid::takeStep() {
+    const auto file = m_document.file();
+    m_knitted = 0;
+    m_currentCourse = -1;
+    if (file) {
+        const auto& loops = file->timeline->loops().loops;
+        const auto end = std::lower_bound(
+            loops.begin(), loops.end(), m_document.step(),
+            [](const machine::Loop& loop, machine::OperationIndex step) { return loop.operation < step; });
+        m_knitted = static_cast<LoopIndex>(end - loops.begin());
+        m_currentCourse = m_knitted > 0 ? file->grid->placeOf(m_knitted - 1).course : -1;
+    }
+    viewport()->update();
+}
+
+void PatternGrid::takeSelection() {
+    const LoopIndex loop = m_document.selection().loop;
+    if (loop >= 0 && grid()) {
+        showLoop(loop);
+        const auto file = m_document.file();
+        setAccessibleDescription(
+            document::stitchText(file->timeline->program(), file->timeline->loops(), *grid(), loop));
+        QAccessibleEvent changed(this, QAccessible::DescriptionChanged);
+        QAccessible::updateAccessibility(&changed);
+    }
+    viewport()->update();
+}
+
+void PatternGrid::takeYarns() {
+    m_colours.clear();
+    for (const document::CarrierYarn& carrier : m_document.carriers()) {
+        const yarn::Colour c = carrier.yarn.colour;
+        m_colours.emplace_back(c.r, c.g, c.b);
+    }
+    viewport()->update();
+}
+
+QColor PatternGrid::colourOf(LoopIndex loop) const {
+    const auto& loops = m_document.file()->timeline->loops().loops;
+    const std::size_t carrier = loops[static_cast<std::size_t>(loop)].carrier;
+    return carrier < m_colours.size() ? m_colours[carrier] : QColor(Qt::gray);
+}
+
+void PatternGrid::layoutChart() {
+    const QFontMetrics metrics(font());
+    const int digits = std::max(3, static_cast<int>(QString::number(m_chart.courses).size()));
+    m_chart.view = viewport()->size();
+    m_chart.header = {metrics.horizontalAdvance(QString(digits, u'8')) + 12, metrics.height() + 6};
+    const QSize area = m_chart.chartArea().size();
+    const QSize content = m_chart.content();
+    horizontalScrollBar()->setRange(0, std::max(0, content.width() - area.width()));
+    horizontalScrollBar()->setPageStep(std::max(1, area.width()));
+    verticalScrollBar()->setRange(0, std::max(0, content.height() - area.height()));
+    verticalScrollBar()->setPageStep(std::max(1, area.height()));
+    m_chart.scroll = {horizontalScrollBar()->value(), verticalScrollBar()->value()};
+    viewport()->update();
+}
+
+void PatternGrid::fitChart() {
+    layoutChart();
+    m_chart.cellWidth = m_chart.fittingCell(7, 26);
+    layoutChart();
+}
+
+void PatternGrid::setCellWidth(int width, QPoint fixed) {
+    const QPoint before = fixed - m_chart.origin();
+    const double factor = static_cast<double>(width) / m_chart.cellWidth;
+    const double factorY = static_cast<double>(ChartGeometry::cellHeightOf(width)) / m_chart.cellHeight();
+    m_chart.cellWidth = width;
+    layoutChart();
+    const QPoint corner = m_chart.chartArea().topLeft();
+    horizontalScrollBar()->setValue(static_cast<int>(std::lround(before.x() * factor)) -
+                                    (fixed - corner).x());
+    verticalScrollBar()->setValue(static_cast<int>(std::lround(before.y() * factorY)) - (fixed - corner).y());
+    layoutChart();
+}
+
+void PatternGrid::zoomAt(QPoint position, int direction) {
+    setCellWidth(nextCellWidth(m_chart.cellWidth, direction), position);
+}
+
+QPoint PatternGrid::showLoop(LoopIndex loop) {
+    const GridPlace place = grid()->placeOf(loop);
+    const QRect area = m_chart.chartArea();
+    const QRect cell = m_chart.cellRect(place.course, place.column - grid()->firstColumn());
+    const int margin = 2 * m_chart.cellWidth;
+    const auto excess = [margin](int low, int high, int from, int to) {
+        const int rim = std::min(margin, std::max(0, (to - from - (high - low)) / 2));
+        return low - rim < from ? low - rim - from : high + rim > to ? high + rim - to : 0;
+    };
+    QScrollBar* across = horizontalScrollBar();
+    QScrollBar* up = verticalScrollBar();
+    across->setValue(across->value() + excess(cell.left(), cell.right(), area.left(), area.right()));
+    up->setValue(up->value() + excess(cell.top(), cell.bottom(), area.top(), area.bottom()));
+    return rectOf(loop).center();
+}
+
+QRect PatternGrid::rectOf(LoopIndex loop) const {
+    const GridPlace place = grid()->placeOf(loop);
+    QRect rect = m_chart.cellRect(place.course, place.column - grid()->firstColumn());
+    const GridCell* cell = grid()->cellAt(place.course, place.column);
+    if (cell && cell->front >= 0 && cell->rear >= 0) {
+        rect.setHeight(rect.height() / 2);
+        if (!place.rear) {
+            rect.translate(0, rect.height());
+        }
+    }
+    return rect;
+}
+
+LoopIndex PatternGrid::loopAt(QPoint position) const {
+    const ChartGeometry::Cell at = m_chart.cellAt(position);
+    const GridCell* cell =
+        at.course >= 0 ? grid()->cellAt(at.course, at.column + grid()->firstColumn()) : nullptr;
+    if (!cell) {
+        return -1;
+    }
+    if (cell->front >= 0 && cell->rear >= 0) {
+        return at.upperHalf ? cell->rear : cell->front;
+    }
+    return std::max(cell->front, cell->rear);
+}
+
+QString PatternGrid::textAt(QPoint position) const {
+    const auto file = m_document.file();
+    if (!file) {
+        return {};
+    }
+    const machine::Program& program = file->timeline->program();
+    if (const LoopIndex loop = loopAt(position); loop >= 0) {
+        return document::stitchText(program, file->timeline->loops(), *grid(), loop);
+    }
+    const ChartGeometry::Cell at = m_chart.cellAt(position);
+    const std::int32_t column = at.column + grid()->firstColumn();
+    const document::GridFloat* strand = at.course >= 0 ? grid()->floatAt(at.course, column) : nullptr;
+    return strand ? tr("Needle %1, course %2: miss, carrier %3 floats past")
+                        .arg(column)
+                        .arg(at.course + 1)
+                        .arg(document::carrierText(program, {strand->carrier}))
+                  : QString();
+}
+
+void PatternGrid::setHover(LoopIndex loop) {
+    if (loop != m_hover) {
+        m_hover = loop;
+        viewport()->update();
+        emit loopHovered(loop);
+    }
+}
+
+void PatternGrid::resizeEvent(QResizeEvent*) {
+    layoutChart();
+}
+
+void PatternGrid::scrollContentsBy(int, int) {
+    m_chart.scroll = {horizontalScrollBar()->value(), verticalScrollBar()->value()};
+    viewport()->update();
+}
+
+void PatternGrid::mousePressEvent(QMouseEvent* event) {
+    m_pressed = event->position().toPoint();
+    m_scrollAtPress = m_chart.scroll;
+    m_dragging = false;
+}
+
+void PatternGrid::mouseMoveEvent(QMouseEvent* event) {
+    const QPoint position = event->position().toPoint();
+    if (event->buttons() & (Qt::LeftButton | Qt::MiddleButton)) {
+        const QPoint way = position - m_pressed;
+        m_dragging = m_dragging || way.manhattanLength() >= QApplication::startDragDistance();
+        if (m_dragging) {
+            horizontalScrollBar()->setValue(m_scrollAtPress.x() - way.x());
+            verticalScrollBar()->setValue(m_scrollAtPress.y() - way.y());
+        }
+        return;
+    }
+    setHover(grid() ? loopAt(position) : -1);
+}
+
+void PatternGrid::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && !m_dragging && grid()) {
+        m_document.selectLoop(loopAt(event->position().toPoint()));
+    }
+    m_dragging = false;
+}
+
+void PatternGrid::wheelEvent(QWheelEvent* event) {
+    if (event->modifiers() & Qt::ControlModifier) {
+        if (event->angleDelta().y() != 0) {
+            zoomAt(event->position().toPoint(), event->angleDelta().y() > 0 ? +1 : -1);
+        }
+        event->accept();
+        return;
+    }
+    QAbstractScrollArea::wheelEvent(event);
+}
+
+bool PatternGrid::moveSelection(int key) {
+    const document::StitchGrid* chart = grid();
+    if (!chart || chart->loopCount() == 0) {
+        return false;
+    }
+    const LoopIndex loop = m_document.selection().loop;
+    if (loop < 0) {
+        m_document.selectLoop(std::max(0, m_knitted - 1));
+        return true;
+    }
+    GridPlace place = chart->placeOf(loop);
+    const int across = key == Qt::Key_Right ? 1 : key == Qt::Key_Left ? -1 : 0;
+    const int up = key == Qt::Key_Up ? 1 : key == Qt::Key_Down ? -1 : 0;
+    const GridCell* cell = chart->cellAt(place.course, place.column);
+    if (up != 0 && cell->front >= 0 && cell->rear >= 0 && place.rear == (up < 0)) {
+        m_document.selectLoop(up > 0 ? cell->rear : cell->front);
+        return true;
+    }
+    const std::int32_t end = chart->firstColumn() + chart->columnCount();
+    do {
+        place.column += across;
+        place.course += up;
+        cell = chart->cellAt(place.course, place.column);
+    } while (!cell && place.column > chart->firstColumn() && place.column < end && place.course > 0 &&
+             place.course < chart->courseCount());
+    if (cell) {
+        const bool rear = up > 0       ? cell->front < 0
+                          : up < 0     ? cell->rear >= 0
+                          : place.rear ? cell->rear >= 0
+                                       : cell->front < 0;
+        m_document.selectLoop(rear ? cell->rear : cell->front);
+    }
+    return true;
+}
+
+void PatternGrid::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+        if (event->modifiers() == Qt::NoModifier && moveSelection(event->key())) {
+            return;
+        }
+        break;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+        zoomIn();
+        return;
+    case Qt::Key_Minus:
+        zoomOut();
+        return;
+    default:
+        break;
+    }
+    QAbstractScrollArea::keyPressEvent(event);
+}
+
+bool PatternGrid::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        // The plain arrow keys step the machine elsewhere; in the chart they walk from stitch to stitch.
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool arrow = key->key() >= Qt::Key_Left && key->key() <= Qt::Key_Down;
+        if (arrow && key->modifiers() == Qt::NoModifier) {
+            event->accept();
+            return true;
+        }
+    }
+    return QAbstractScrollArea::event(event);
+}
+
+bool PatternGrid::viewportEvent(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        QToolTip::showText(help->globalPos(), textAt(help->pos()), viewport());
+        return true;
+    }
+    if (event->type() == QEvent::Leave) {
+        setHover(-1);
+    }
+    return QAbstractScrollArea::viewportEvent(event);
+}
+
+void PatternGrid::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::FontChange) {
+        layoutChart();
+    }
+    QAbstractScrollArea::changeEvent(event);
+}
+
+} // namespace knittsim::ui

@@ -1,0 +1,81 @@
+#include "ui/views/simulation_panel/activity_text.h"
+
+#include "ui/views/style/appearance.h"
+
+#include <QCoreApplication>
+
+namespace knittsim::ui {
+
+namespace {
+
+using document::Activity;
+using simulation::StopReason;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("Activity", text);
+}
+
+QString reasonText(StopReason reason) {
+    switch (reason) {
+    case StopReason::ResidualReached:
+        return tr("forces are balanced");
+    case StopReason::Stagnation:
+        return tr("energy and shape no longer change");
+    case StopReason::StepLimit:
+        return tr("the limit of steps is reached");
+    case StopReason::Diverged:
+        return tr("the numbers became useless; the last good shape is kept");
+    case StopReason::SolverFailed:
+        return tr("the integrator gave up; try another one");
+    default:
+        return {};
+    }
+}
+
+} // namespace
+
+QString activityWord(Activity activity) {
+    switch (activity) {
+    case Activity::Empty:
+        return tr("Nothing open");
+    case Activity::Opening:
+        return tr("Opening");
+    case Activity::Machine:
+        return tr("As the machine leaves it");
+    case Activity::Settling:
+        return tr("Settling");
+    case Activity::Paused:
+        return tr("Paused");
+    case Activity::AtRest:
+        return tr("At rest");
+    case Activity::Failed:
+        break;
+    }
+    return tr("Stopped");
+}
+
+QString activityText(const document::Document& document) {
+    const Activity activity = document.activity();
+    const QString reason =
+        activity == Activity::AtRest || activity == Activity::Failed || activity == Activity::Paused
+            ? reasonText(document.stopReason())
+            : QString();
+    return reason.isEmpty() ? activityWord(activity) : tr("%1: %2").arg(activityWord(activity), reason);
+}
+
+QColor activityColour(Activity activity, const QPalette& palette) {
+    const Accents accents = accentsOf(palette);
+    switch (activity) {
+    case Activity::Settling:
+    case Activity::Opening:
+        return accents.busy;
+    case Activity::AtRest:
+        return accents.good;
+    case Activity::Failed:
+        return accents.error;
+    default:
+        return accents.faintText;
+    }
+}
+
+} // namespace knittsim::ui

@@ -1,0 +1,162 @@
+#include "ui/views/simulation_panel/simulation_panel.h"
+
+#include "ui/views/simulation_panel/activity_text.h"
+#include "ui/views/simulation_panel/energy_plot.h"
+#include "ui/views/style/icons.h"
+#include "ui/views/style/numbers.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+namespace knittsim::ui {
+
+QString integratorName(const simulation::IntegratorInfo& info) {
+    return QCoreApplication::translate("integrators", info.name);
+}
+
+QString integratorPurpose(const simulation::IntegratorInfo& info) {
+    return QCoreApplication::translate("integrators", info.purpose);
+}
+
+SimulationPanel::SimulationPanel(document::Document& document, QWidget* parent)
+    : QWidget(parent), m_document(document) {
+    setObjectName(QStringLiteral("simulationPanel"));
+    build();
+    connect(&m_document, &document::Document::activityChanged, this, &SimulationPanel::takeActivity);
+    connect(&m_document, &document::Document::frameShown, this, &SimulationPanel::takeFrame);
+    connect(&m_document, &document::Document::integratorChanged, this, &SimulationPanel::takeIntegrator);
+    connect(&m_document, &document::Document::generationChanged, m_plot, &EnergyPlot::clear);
+    takeActivity();
+    takeIntegrator();
+}
+
+QToolButton* SimulationPanel::addButton(const char* name, const char* iconName, const QString& text,
+                                        const QString& keys) {
+    auto* button = new QToolButton(this);
+    button->setObjectName(QString::fromLatin1(name));
+    button->setIcon(icon(QString::fromLatin1(iconName)));
+    button->setIconSize({18, 18});
+    button->setToolTip(QStringLiteral("%1 (%2)").arg(text, keys));
+    button->setAccessibleName(text);
+    return button;
+}
+
+void SimulationPanel::build() {
+    m_dot = new QLabel(this);
+    m_dot->setFixedSize(12, 12);
+    m_state = new QLabel(this);
+    m_state->setObjectName(QStringLiteral("simulationState"));
+    m_state->setWordWrap(true);
+    m_run = addButton("simulationRun", "play", tr("Start"), tr("F5"));
+    m_step = addButton("simulationStep", "step", tr("One step of the integrator"), tr("F6"));
+    m_restart = addButton("simulationRestart", "restart", tr("Restart from the machine"), tr("R"));
+    m_stop = addButton("simulationStop", "stop", tr("Stop and forget the velocity"), tr("Shift+F5"));
+    m_integrator = new QComboBox(this);
+    m_integrator->setObjectName(QStringLiteral("integratorChoice"));
+    m_integrator->setAccessibleName(tr("Integrator"));
+    m_integrator->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_integrator->setMinimumContentsLength(8);
+    for (const simulation::IntegratorInfo& info : simulation::integrators()) {
+        m_integrator->addItem(integratorName(info), QString::fromUtf8(info.id));
+        m_integrator->setItemData(m_integrator->count() - 1, integratorPurpose(info), Qt::ToolTipRole);
+    }
+    m_numbers = new QLabel(this);
+    m_numbers->setObjectName(QStringLiteral("simulationNumbers"));
+    m_plot = new EnergyPlot(this);
+
+    auto* state = new QHBoxLayout;
+    state->setSpacing(7);
+    state->addWidget(m_dot, 0, Qt::AlignTop);
+    state->addWidget(m_state, 1);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(3);
+    for (QToolButton* button : {m_run, m_step, m_restart, m_stop}) {
+        buttons->addWidget(button);
+    }
+    buttons->addSpacing(5);
+    buttons->addWidget(m_integrator, 1);
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(8, 8, 8, 8);
+    rows->setSpacing(6);
+    rows->addLayout(buttons);
+    rows->addLayout(state);
+    rows->addWidget(m_plot, 1);
+    rows->addWidget(m_numbers);
+
+    connect(m_run, &QToolButton::clicked, this, &SimulationPanel::toggleRunning);
+    connect(m_step, &QToolButton::clicked, &m_document, &document::Document::stepSimulation);
+    connect(m_restart, &QToolButton::clicked, &m_document, &document::Document::restart);
+    connect(m_stop, &QToolButton::clicked, &m_document, &document::Document::stop);
+    connect(m_integrator, &QComboBox::currentIndexChanged, this,
+            [this] { m_document.setIntegrator(m_integrator->currentData().toString()); });
+}
+
+void SimulationPanel::toggleRunning() {
+    if (running()) {
+        m_document.pause();
+    } else {
+        m_document.start();
+    }
+}
+
+void SimulationPanel::takeActivity() {
+    const bool open = m_document.file() != nullptr;
+    for (QToolButton* button : {m_run, m_step, m_restart, m_stop}) {
+        button->setEnabled(open);
+    }
+    const QString run = running() ? tr("Pause") : tr("Start");
+    m_run->setIcon(icon(running() ? QStringLiteral("pause") : QStringLiteral("play")));
+    m_run->setToolTip(QStringLiteral("%1 (F5)").arg(run));
+    m_run->setAccessibleName(run);
+    m_state->setText(activityText(m_document));
+    QPixmap dot(m_dot->size() * devicePixelRatioF());
+    dot.setDevicePixelRatio(devicePixelRatioF());
+    dot.fill(Qt::transparent);
+    QPainter painter(&dot);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(activityColour(m_document.activity(), palette()));
+    painter.drawEllipse(QRectF(1.5, 3, 8, 8));
+    painter.end();
+    m_dot->setPixmap(dot);
+}
+
+void SimulationPanel::takeFrame() {
+    const auto frame = m_document.frame();
+    if (!frame) {
+        return;
+    }
+    const auto& samples = m_plot->history().samples();
+    if (samples.empty() || samples.back().step != frame->step) {
+        m_plot->add({frame->step, frame->energies, frame->residual});
+    }
+    QString numbers =
+        tr("Step %1 \u00b7 %2 ms each").arg(countText(frame->step), shortNumber(frame->millisecondsPerStep));
+    if (frame->stepSize > 0) {
+        numbers += tr(" \u00b7 dt %1 s").arg(shortNumber(frame->stepSize));
+    }
+    m_numbers->setText(numbers);
+}
+
+void SimulationPanel::takeIntegrator() {
+    const QSignalBlocker quiet(m_integrator);
+    const int index = m_integrator->findData(m_document.integrator());
+    m_integrator->setCurrentIndex(index);
+    m_integrator->setToolTip(
+        tr("Integrator. %1").arg(m_integrator->itemData(index, Qt::ToolTipRole).toString()));
+}
+
+void SimulationPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange && m_plot) {
+        takeActivity();
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace knittsim::ui

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+
+namespace knittsim::ui {
+
+/// Operations to advance for passed time at a speed; fractions carry over, so that slow speeds are exact.
+class Playback {
+public:
+    /// Operations a second that the user may choose.
+    static std::span<const int> speeds();
+
+    int speed() const { return m_speed; }
+    void setSpeed(int operationsPerSecond) { m_speed = operationsPerSecond; }
+
+    /// The next faster or slower of speeds().
+    void changeSpeed(int direction);
+
+    /// Whole operations due after `milliseconds` more; never more than a second's worth.
+    int advance(double milliseconds);
+
+    void reset() { m_due = 0; }
+
+private:
+    int m_speed = 20;
+    double m_due = 0;
+};
+
+} // namespace knittsim::ui

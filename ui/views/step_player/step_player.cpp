@@ -1,0 +1,207 @@
+#include "ui/views/step_player/step_player.h"
+
+#include "ui/document/operation_text.h"
+#include "ui/views/style/appearance.h"
+#include "ui/views/style/icons.h"
+#include "ui/views/style/numbers.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+
+namespace knittsim::ui {
+
+namespace {
+
+constexpr int kTickMs = 16;
+
+/// Shortens its text at the end instead of demanding room for all of it.
+class ElidedLabel : public QLabel {
+public:
+    using QLabel::QLabel;
+
+    QSize minimumSizeHint() const override { return {60, QLabel::minimumSizeHint().height()}; }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.setPen(palette().color(foregroundRole()));
+        painter.drawText(contentsRect(), Qt::AlignLeft | Qt::AlignVCenter,
+                         fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()));
+    }
+};
+
+} // namespace
+
+StepPlayer::StepPlayer(document::Document& document, QWidget* parent)
+    : QWidget(parent), m_document(document) {
+    setObjectName(QStringLiteral("stepPlayer"));
+    setAccessibleName(tr("Step player"));
+    build();
+    m_timer.setInterval(kTickMs);
+    connect(&m_timer, &QTimer::timeout, this, &StepPlayer::tick);
+    connect(&m_document, &document::Document::opened, this, &StepPlayer::takeFile);
+    connect(&m_document, &document::Document::stepChanged, this, &StepPlayer::takeStep);
+    takeFile();
+}
+
+QToolButton* StepPlayer::addButton(const char* name, const char* iconName, const QString& text,
+                                   const QString& keys) {
+    auto* button = new QToolButton(this);
+    button->setObjectName(QString::fromLatin1(name));
+    button->setIcon(icon(QString::fromLatin1(iconName)));
+    button->setIconSize({18, 18});
+    button->setAutoRaise(true);
+    button->setAutoRepeat(true);
+    button->setAutoRepeatDelay(400);
+    button->setToolTip(QStringLiteral("%1 (%2)").arg(text, keys));
+    button->setAccessibleName(text);
+    return button;
+}
+
+void StepPlayer::build() {
+    auto* first = addButton("stepFirst", "first", tr("To the empty machine"), tr("Home"));
+    auto* courseBack =
+        addButton("courseBack", "course-back", tr("One course back"), QStringLiteral("\u2193"));
+    auto* back = addButton("stepBack", "back", tr("One operation back"), QStringLiteral("\u2190"));
+    m_play = addButton("stepPlay", "play", tr("Play the operations"), tr("Space"));
+    auto* forward =
+        addButton("stepForward", "forward", tr("One operation forward"), QStringLiteral("\u2192"));
+    auto* courseForward =
+        addButton("courseForward", "course-forward", tr("One course forward"), QStringLiteral("\u2191"));
+    auto* last = addButton("stepLast", "last", tr("To the end of the program"), tr("End"));
+    m_play->setAutoRepeat(false);
+
+    m_slider = new QSlider(Qt::Horizontal, this);
+    m_slider->setObjectName(QStringLiteral("stepSlider"));
+    m_slider->setAccessibleName(tr("Operation"));
+    m_slider->setToolTip(tr("Operation that is shown (\u2190 and \u2192, Shift for a carriage pass)"));
+    m_speed = new QComboBox(this);
+    m_speed->setObjectName(QStringLiteral("stepSpeed"));
+    m_speed->setAccessibleName(tr("Speed"));
+    m_speed->setToolTip(tr("Operations a second ([ slower, ] faster)"));
+    for (const int speed : Playback::speeds()) {
+        m_speed->addItem(tr("%1/s").arg(countText(speed)), speed);
+    }
+    m_words = new ElidedLabel(this);
+    m_words->setObjectName(QStringLiteral("stepWords"));
+    m_count = new QLabel(this);
+    m_count->setObjectName(QStringLiteral("stepCount"));
+
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(1);
+    for (QToolButton* button : {first, courseBack, back, m_play, forward, courseForward, last}) {
+        buttons->addWidget(button);
+    }
+    buttons->addSpacing(8);
+    buttons->addWidget(m_slider, 1);
+    buttons->addSpacing(8);
+    buttons->addWidget(m_speed);
+    auto* texts = new QHBoxLayout;
+    texts->addWidget(m_words, 1);
+    texts->addWidget(m_count);
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(10, 6, 10, 6);
+    rows->setSpacing(3);
+    rows->addLayout(buttons);
+    rows->addLayout(texts);
+
+    connect(first, &QToolButton::clicked, this, [this] { m_document.setStep(0); });
+    connect(courseBack, &QToolButton::clicked, this, [this] { m_document.moveCourse(-1); });
+    connect(back, &QToolButton::clicked, this, [this] { m_document.moveStep(-1); });
+    connect(m_play, &QToolButton::clicked, this, &StepPlayer::togglePlaying);
+    connect(forward, &QToolButton::clicked, this, [this] { m_document.moveStep(+1); });
+    connect(courseForward, &QToolButton::clicked, this, [this] { m_document.moveCourse(+1); });
+    connect(last, &QToolButton::clicked, this, [this] { m_document.setStep(m_document.operationCount()); });
+    connect(m_slider, &QSlider::valueChanged, this, [this](int value) { m_document.setStep(value); });
+    connect(m_speed, &QComboBox::currentIndexChanged, this,
+            [this] { m_playback.setSpeed(m_speed->currentData().toInt()); });
+    showSpeed();
+}
+
+void StepPlayer::showSpeed() {
+    m_speed->setCurrentIndex(m_speed->findData(m_playback.speed()));
+}
+
+void StepPlayer::changeSpeed(int direction) {
+    m_playback.changeSpeed(direction);
+    showSpeed();
+}
+
+void StepPlayer::takeFile() {
+    setPlaying(false);
+    setEnabled(m_document.file() != nullptr);
+    const QSignalBlocker quiet(m_slider);
+    m_slider->setRange(0, m_document.operationCount());
+    m_slider->setPageStep(std::max(1, m_document.operationCount() / 50));
+    takeStep();
+}
+
+void StepPlayer::takeStep() {
+    const QSignalBlocker quiet(m_slider);
+    const int step = m_document.step();
+    m_slider->setValue(step);
+    const auto file = m_document.file();
+    if (!file) {
+        m_words->clear();
+        m_count->clear();
+        return;
+    }
+    const machine::Program& program = file->timeline->program();
+    QString words = tr("Empty machine");
+    if (step > 0) {
+        words = document::operationText(program, step - 1);
+        const int line = program.operations[static_cast<std::size_t>(step) - 1].line;
+        if (line > 0) {
+            words = tr("%1 \u00b7 line %2").arg(words).arg(line);
+        }
+    }
+    m_words->setText(words);
+    m_words->setToolTip(words);
+    m_count->setText(tr("%1 of %2 operations").arg(countText(step), countText(m_document.operationCount())));
+}
+
+void StepPlayer::setPlaying(bool on) {
+    if (on == isPlaying() || (on && m_document.operationCount() == 0)) {
+        return;
+    }
+    if (on) {
+        if (m_document.step() == m_document.operationCount()) {
+            m_document.setStep(0);
+        }
+        m_playback.reset();
+        m_sinceTick.start();
+        m_timer.start();
+    } else {
+        m_timer.stop();
+    }
+    m_play->setIcon(icon(on ? QStringLiteral("pause") : QStringLiteral("play")));
+    emit playingChanged(on);
+}
+
+void StepPlayer::tick() {
+    const int due = m_playback.advance(static_cast<double>(m_sinceTick.nsecsElapsed()) * 1e-6);
+    m_sinceTick.restart();
+    if (due > 0) {
+        m_document.moveStep(due);
+    }
+    if (m_document.step() == m_document.operationCount()) {
+        setPlaying(false);
+    }
+}
+
+bool StepPlayer::event(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) {
+        QPalette quiet = m_count->palette();
+        quiet.setColor(QPalette::WindowText, accentsOf(palette()).faintText);
+        m_count->setPalette(quiet);
+    }
+    return QWidget::event(event);
+}
+
+} // namespace knittsim::ui
