@@ -151,7 +151,7 @@ void HeaderReader::readGauge(const HeaderLine& line, Spot spot) {
     if (gauge && *gauge > 0 && *gauge <= kMaxGauge) {
         m_header.gauge = gauge;
     } else {
-        badValue("Gauge", spot, quoted(line.value), "a number of needles per inch from 1 to 1000");
+        badValue("Gauge", spot, quoted(line.value), "a number of needles per inch up to 1000");
     }
 }
 
