@@ -7,24 +7,6 @@ namespace knittsim::geometry {
 
 namespace {
 
-/// Nearest approach of a segment to a ray's line: share along the segment, distance squared, depth on the
-/// ray.
-struct Approach {
-    float share = 0;
-    float distance2 = 0;
-    float depth = 0;
-};
-
-Approach approach(const Ray& ray, const Vec3f& a, const Vec3f& b) {
-    const Vec3f offset = a - ray.origin;
-    const Vec3f flatStart = offset - offset.dot(ray.direction) * ray.direction;
-    const Vec3f way = b - a;
-    const Vec3f flatWay = way - way.dot(ray.direction) * ray.direction;
-    const float length2 = flatWay.squaredNorm();
-    const float t = length2 > 0 ? std::clamp(-flatStart.dot(flatWay) / length2, 0.0F, 1.0F) : 0;
-    return {t, (flatStart + t * flatWay).squaredNorm(), (offset + t * way).dot(ray.direction)};
-}
-
 /// Of the bonding points before and after a node, the one nearer along the yarn.
 fabric::PointIndex nearestPoint(const YarnCurves& curves, const YarnCurves::Range& yarn, std::int32_t node) {
     const auto pointAt = [&](std::int32_t n) { return curves.point[static_cast<std::size_t>(n)]; };
@@ -43,6 +25,22 @@ fabric::PointIndex nearestPoint(const YarnCurves& curves, const YarnCurves::Rang
 
 } // namespace
 
+std::optional<SegmentHit> meetSegment(const Ray& ray, const Vec3f& a, const Vec3f& b, float radius) {
+    const auto flat = [&](const Vec3f& v) -> Vec3f { return v - v.dot(ray.direction) * ray.direction; };
+    const Vec3f offset = a - ray.origin;
+    const Vec3f way = b - a;
+    const Vec3f flatOffset = flat(offset);
+    const Vec3f flatWay = flat(way);
+    const float length2 = flatWay.squaredNorm();
+    const float share = length2 > 0 ? std::clamp(-flatOffset.dot(flatWay) / length2, 0.0F, 1.0F) : 0;
+    const float inside2 = radius * radius - (flatOffset + share * flatWay).squaredNorm();
+    if (!(inside2 >= 0)) {
+        return std::nullopt;
+    }
+    const float depth = (offset + share * way).dot(ray.direction) - std::sqrt(inside2);
+    return depth > 0 ? std::optional<SegmentHit>({share, depth}) : std::nullopt;
+}
+
 std::optional<Pick> pickYarn(const fabric::Fabric& fabric, const YarnCurves& curves,
                              std::span<const double> diameterMm, const Ray& ray, float tolerance) {
     std::optional<Pick> best;
@@ -55,15 +53,11 @@ std::optional<Pick> pickYarn(const fabric::Fabric& fabric, const YarnCurves& cur
         for (std::int32_t n = yarn.first; n + 1 < yarn.first + yarn.count; ++n) {
             const Vec3f& a = curves.nodes[static_cast<std::size_t>(n)];
             const Vec3f& b = curves.nodes[static_cast<std::size_t>(n) + 1];
-            const Approach near = approach(ray, a, b);
-            if (near.distance2 > radius * radius) {
-                continue;
-            }
-            const float depth = near.depth - std::sqrt(radius * radius - near.distance2);
-            if (depth > 0 && (!best || depth < best->depth)) {
-                best = Pick{.place = a + near.share * (b - a), .depth = depth};
+            const auto hit = meetSegment(ray, a, b, radius);
+            if (hit && (!best || hit->depth < best->depth)) {
+                best = Pick{.place = a + hit->share * (b - a), .depth = hit->depth};
                 bestYarn = &yarn;
-                bestNode = near.share < 0.5F ? n : n + 1;
+                bestNode = hit->share < 0.5F ? n : n + 1;
             }
         }
     }

@@ -13,6 +13,15 @@ struct Ray {
     Vec3f direction = -Vec3f::UnitZ();
 };
 
+/// Where a ray meets a round segment of yarn.
+struct SegmentHit {
+    float share = 0; ///< along the segment, 0..1
+    float depth = 0; ///< mm along the ray to the yarn's surface
+};
+
+/// The segment from `a` to `b` as a tube of this radius with round ends; nothing when the ray misses it.
+std::optional<SegmentHit> meetSegment(const Ray& ray, const Vec3f& a, const Vec3f& b, float radius);
+
 /// What a ray meets first.
 struct Pick {
     fabric::PointIndex point = -1; ///< nearest bonding point along the yarn

@@ -43,6 +43,11 @@ const char* text(GLenum name) {
     return value != nullptr ? value : "unknown";
 }
 
+/// Of the framebuffer, which has more pixels than the window on fine screens.
+float millimetresPerPixel(const View& view) {
+    return 2 * view.camera.state().halfHeight / static_cast<float>(std::max(1, view.height));
+}
+
 /// 1 where a yarn is wide enough on the screen to show its plies, 0 where it is not.
 float detailAt(float pixelsPerDiameter) {
     return std::clamp((pixelsPerDiameter - 8.0F) / 8.0F, 0.0F, 1.0F);
@@ -213,13 +218,17 @@ void FabricRenderer::Implementation::setTopology(std::shared_ptr<const SceneTopo
     stateDirty = true;
 }
 
+void FabricRenderer::clear() { m->frame.reset(); }
+
 void FabricRenderer::setLooks(std::vector<YarnLook> looks) {
     m->looks = std::move(looks);
 }
 
 void FabricRenderer::setSelection(std::span<const machine::LoopIndex> loops) {
-    m->selection.assign(loops.begin(), loops.end());
-    m->stateDirty = true;
+    std::vector<machine::LoopIndex> sorted(loops.begin(), loops.end());
+    std::ranges::sort(sorted);
+    m->stateDirty = m->stateDirty || sorted != m->selection;
+    m->selection = std::move(sorted);
 }
 
 void FabricRenderer::setHovered(machine::LoopIndex loop) {
@@ -232,7 +241,6 @@ void FabricRenderer::Implementation::uploadState() {
         return;
     }
     std::vector<std::uint8_t> states(topology->pointCount, Plain);
-    std::ranges::sort(selection);
     for (std::size_t p = 0; p + 1 < states.size(); ++p) {
         const machine::LoopIndex loop = topology->loopOfPoint[p];
         // The yarn behind the last point of a loop is the sinker to the next one: it belongs to neither.
@@ -319,7 +327,7 @@ void FabricRenderer::Implementation::drawCarrier(const View& view, const Frustum
                                                  machine::CarrierIndex carrier) {
     const YarnLook& yarnLook = look(carrier);
     const bool mesh = frame->style == DrawStyle::Mesh;
-    const float perPixel = view.camera.millimetresPerPixel();
+    const float perPixel = millimetresPerPixel(view);
     const float radius = mesh ? 0.8F * perPixel : 0.5F * static_cast<float>(yarnLook.diameterMm);
     const int sides = mesh ? 0 : sidesAt(2 * radius / perPixel);
     collectPieces(frustum, carrier, radius, sides);
@@ -410,13 +418,12 @@ void FabricRenderer::Implementation::setYarn(const ShaderProgram& program, const
     program.set("uHair", static_cast<float>(l.hairiness));
     program.set("uGloss", static_cast<float>(l.gloss));
     program.set("uMelange", static_cast<float>(l.melange));
-    program.set("uDetail", detailAt(2 * radius / camera.millimetresPerPixel()));
+    program.set("uDetail", detailAt(2 * radius / millimetresPerPixel(view)));
 }
 
 void FabricRenderer::Implementation::drawMarkers(const View& view) const {
     setCamera(*marker, view);
-    const float pitch = 0.25F / view.camera.millimetresPerPixel();
-    marker->set("uSize", std::clamp(pitch, 2.5F, 11.0F));
+    marker->set("uSize", std::clamp(0.25F / millimetresPerPixel(view), 2.5F, 11.0F));
     marker->set("uColours[0]", view.dark ? Vec3f(0.45F, 0.80F, 0.98F) : Vec3f(0.05F, 0.40F, 0.70F));
     marker->set("uColours[1]", view.dark ? Vec3f(0.60F, 0.90F, 0.55F) : Vec3f(0.10F, 0.52F, 0.18F));
     marker->set("uColours[2]", view.dark ? Vec3f(1.0F, 0.55F, 0.45F) : Vec3f(0.80F, 0.16F, 0.10F));

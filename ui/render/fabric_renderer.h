@@ -36,6 +36,9 @@ public:
     /// it.
     bool upload(std::shared_ptr<const SceneFrame> frame);
 
+    /// Forgets the shape; draw() then paints the background only.
+    void clear();
+
     /// By carrier. Diameters count as drawn; curves keep the ones they were made for.
     void setLooks(std::vector<YarnLook> looks);
 

@@ -5,8 +5,9 @@
 #include "ui/render/look.h"
 
 #include <QByteArray>
-#include <QOpenGLWidget>
+#include <QImage>
 #include <QVector3D>
+#include <QWidget>
 
 #include <memory>
 #include <vector>
@@ -20,7 +21,7 @@ namespace knittsim::ui {
 /// Mouse: left drag orbits, middle or Shift+left drag pans, wheel zooms at the cursor, click selects a
 /// stitch, Ctrl+left drag (or any left drag in drag mode) on yarn pulls its bonding point. All functions:
 /// window thread.
-class FabricView : public QOpenGLWidget {
+class FabricView : public QWidget {
     Q_OBJECT
 
 public:
@@ -69,7 +70,7 @@ public:
     QString rendererName() const; ///< GL_RENDERER, empty before the first paint or without OpenGL
     double lastPaintMs() const;   ///< time of the last drawn frame on this thread
 
-    /// The picture as shown, without badge and scale bar, also without OpenGL.
+    /// The picture as shown, without badge and scale bar; also without OpenGL and while the view is hidden.
     QImage picture();
 
     QSize sizeHint() const override;
@@ -83,10 +84,6 @@ signals:
     void glFailed(QString reason); ///< once; a sentence for the user
 
 protected:
-    void initializeGL() override;
-    void resizeGL(int width, int height) override;
-    void paintGL() override;
-    void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;

@@ -1,0 +1,92 @@
+#include "ui/views/fabric_view/flat_painter.h"
+
+#include <QLinearGradient>
+#include <QPainter>
+#include <QPolygonF>
+
+#include <algorithm>
+#include <cmath>
+
+namespace knittsim::ui {
+
+namespace {
+
+/// A few nodes of yarn that are painted in one go.
+struct Piece {
+    std::size_t first = 0;
+    std::size_t count = 0;
+    float depth = 0;
+    machine::CarrierIndex carrier = 0;
+};
+
+constexpr std::size_t kPieceNodes = 4;
+constexpr std::size_t kMostPieces = 60000; ///< larger fabrics are painted in longer pieces
+
+std::vector<Piece> sortedPieces(const render::SceneFrame& scene, const render::Camera& camera) {
+    const std::size_t step = std::max(kPieceNodes, scene.nodes.size() / kMostPieces + 1);
+    const Vec3f towards = camera.towardsViewer();
+    std::vector<Piece> pieces;
+    pieces.reserve(scene.nodes.size() / step + scene.topology->yarns.size());
+    for (const auto& yarn : scene.topology->yarns) {
+        const auto end = static_cast<std::size_t>(yarn.first + yarn.count);
+        for (auto first = static_cast<std::size_t>(yarn.first); first + 1 < end; first += step) {
+            const std::size_t count = std::min(step + 1, end - first);
+            const auto& middle = scene.nodes[first + count / 2];
+            pieces.push_back(
+                {first, count, Vec3f(middle[0], middle[1], middle[2]).dot(towards), yarn.carrier});
+        }
+    }
+    std::ranges::sort(pieces, {}, &Piece::depth);
+    return pieces;
+}
+
+QColor colourOf(const CanvasContent& content, const Piece& piece) {
+    const render::SceneFrame& scene = *content.scene;
+    const machine::LoopIndex loop = scene.topology->loopOfPoint[scene.topology->owner[piece.first]];
+    if (loop >= 0 && loop == content.selected) {
+        return content.dark ? QColor(255, 178, 41) : QColor(237, 107, 5);
+    }
+    const yarn::Colour colour =
+        piece.carrier < content.looks.size() ? content.looks[piece.carrier].colour : yarn::Colour();
+    return {colour.r, colour.g, colour.b};
+}
+
+void paintBackground(QPainter& painter, QSize size, bool dark) {
+    QLinearGradient gradient(0, 0, 0, size.height());
+    gradient.setColorAt(0, dark ? QColor(47, 50, 55) : QColor(244, 245, 246));
+    gradient.setColorAt(1, dark ? QColor(27, 29, 32) : QColor(214, 217, 219));
+    painter.fillRect(QRect(QPoint(0, 0), size), gradient);
+}
+
+} // namespace
+
+void paintFlat(QPainter& painter, QSize size, const CanvasContent& content) {
+    paintBackground(painter, size, content.dark);
+    if (!content.scene) {
+        return;
+    }
+    const render::SceneFrame& scene = *content.scene;
+    painter.setRenderHint(QPainter::Antialiasing);
+    const float perMm = 1 / content.camera.millimetresPerPixel();
+    QPolygonF line;
+    for (const Piece& piece : sortedPieces(scene, content.camera)) {
+        line.clear();
+        for (std::size_t n = piece.first; n < piece.first + piece.count; ++n) {
+            const auto& node = scene.nodes[n];
+            const Vec3f place = content.camera.project({node[0], node[1], node[2]});
+            line << QPointF(place.x(), place.y());
+        }
+        const QColor colour = colourOf(content, piece);
+        const bool mesh = scene.style == render::DrawStyle::Mesh;
+        const qreal width = mesh ? 1.6 : std::max(1.0F, perMm * scene.diameters[piece.carrier]);
+        // Flat ends, else the end of a dark stroke covers the piece before it.
+        painter.setPen(QPen(colour.darker(300), width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+        painter.drawPolyline(line);
+        if (!mesh && width > 2) {
+            painter.setPen(QPen(colour, 0.66 * width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+            painter.drawPolyline(line);
+        }
+    }
+}
+
+} // namespace knittsim::ui

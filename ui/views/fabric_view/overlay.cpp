@@ -1,0 +1,128 @@
+#include "ui/views/fabric_view/overlay.h"
+
+#include <QLocale>
+#include <QPainter>
+
+#include <cmath>
+
+namespace knittsim::ui {
+
+namespace {
+
+constexpr int kMargin = 12;
+constexpr double kScalePixels = 140;
+constexpr float kSeenFlat = 0.15F; ///< cosine to the fabric's normal below which neither face is seen
+
+} // namespace
+
+double scaleBarMm(double millimetresPerPixel, double mostPixels) {
+    const double most = millimetresPerPixel * mostPixels;
+    if (!(most > 0) || !std::isfinite(most)) {
+        return 1;
+    }
+    const double power = std::pow(10, std::floor(std::log10(most)));
+    return most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
+}
+
+Overlay::Overlay(QWidget* parent, const CanvasContent& content) : QWidget(parent), m_content(content) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+    setFocusPolicy(Qt::NoFocus);
+}
+
+void Overlay::setMessage(const QString& message) {
+    m_message = message;
+    update();
+}
+
+QString Overlay::sideText() const {
+    const float facing = m_content.camera.towardsViewer().z();
+    return facing > kSeenFlat ? tr("technical face") : facing < -kSeenFlat ? tr("technical back") : QString();
+}
+
+QColor Overlay::ink() const {
+    return m_content.dark ? QColor(235, 237, 240) : QColor(32, 36, 42);
+}
+
+void Overlay::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (m_content.scene) {
+        paintBadge(painter);
+        paintScale(painter);
+        paintAxes(painter);
+    }
+    paintMessage(painter);
+}
+
+void Overlay::paintBadge(QPainter& painter) const {
+    const QString text = sideText();
+    if (text.isEmpty()) {
+        return;
+    }
+    const QSize size = fontMetrics().size(Qt::TextSingleLine, text);
+    const QRect box(kMargin, kMargin, size.width() + 20, size.height() + 8);
+    QColor ground = m_content.dark ? QColor(20, 22, 25) : QColor(255, 255, 255);
+    ground.setAlpha(215);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ground);
+    painter.drawRoundedRect(box, box.height() / 2.0, box.height() / 2.0);
+    painter.setPen(ink());
+    painter.drawText(box, Qt::AlignCenter, text);
+}
+
+void Overlay::paintScale(QPainter& painter) const {
+    const double perPixel = m_content.camera.millimetresPerPixel();
+    const double millimetres = scaleBarMm(perPixel, std::min(kScalePixels, width() / 3.0));
+    const double pixels = millimetres / perPixel;
+    const double right = width() - kMargin;
+    const double y = height() - kMargin;
+    const QString text = tr("%1 mm").arg(QLocale().toString(millimetres, 'g', 6));
+    painter.setPen(QPen(ink(), 2));
+    painter.drawPolyline(
+        QPolygonF({{right - pixels, y - 6}, {right - pixels, y}, {right, y}, {right, y - 6}}));
+    painter.drawText(
+        QRectF(right - pixels - 100, y - 8 - fontMetrics().height(), pixels + 200, fontMetrics().height()),
+        Qt::AlignHCenter, text);
+}
+
+void Overlay::paintAxes(QPainter& painter) const {
+    constexpr double kLength = 26;
+    const QPointF origin(kMargin + kLength, height() - kMargin - kLength);
+    struct Axis {
+        Vec3f direction;
+        QString name;
+    };
+    for (const Axis& axis : {Axis{Vec3f::UnitX(), tr("course")}, Axis{Vec3f::UnitY(), tr("wale")}}) {
+        const double x = axis.direction.dot(m_content.camera.right());
+        const double y = axis.direction.dot(m_content.camera.up());
+        const double length = std::hypot(x, y);
+        if (length < 0.1) {
+            continue;
+        }
+        const QPointF tip = origin + kLength * QPointF(x, -y);
+        painter.setPen(QPen(ink(), 1.6, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(origin, tip);
+        const QPointF along(x / length, -y / length);
+        const QPointF across(-along.y(), along.x());
+        painter.drawPolyline(QPolygonF({tip - 6 * along + 3 * across, tip, tip - 6 * along - 3 * across}));
+        const QSizeF size = fontMetrics().size(Qt::TextSingleLine, axis.name);
+        QRectF label(QPointF(), size);
+        label.moveCenter(tip +
+                         QPointF((6 + size.width() / 2) * along.x(), (4 + size.height() / 2) * along.y()));
+        label.moveLeft(std::max<double>(2, label.left()));
+        painter.drawText(label, Qt::AlignCenter, axis.name);
+    }
+}
+
+void Overlay::paintMessage(QPainter& painter) const {
+    if (m_message.isEmpty()) {
+        return;
+    }
+    painter.setPen(ink());
+    const QRect area = rect().adjusted(2 * kMargin, 2 * kMargin, -2 * kMargin, -2 * kMargin);
+    const int where = m_content.scene ? Qt::AlignTop | Qt::AlignRight : Qt::AlignCenter;
+    painter.drawText(area, where | Qt::TextWordWrap, m_message);
+}
+
+} // namespace knittsim::ui
