@@ -1,6 +1,7 @@
 #include "core/physics/bonding_point_model.h"
 
 #include "core/physics/bend_term.h"
+#include "core/physics/plate_term.h"
 #include "core/physics/stitch_mesh.h"
 
 #include <algorithm>
@@ -18,6 +19,8 @@ namespace {
 struct Springs {
     std::vector<Spring> springs;
     std::vector<PointIndex> points;
+    RopeTerm ropes;
+    std::vector<std::pair<PointIndex, PointIndex>> ropePoints;
 };
 
 const yarn::Yarn& yarnOf(std::span<const yarn::Yarn> yarns, machine::CarrierIndex carrier) {
@@ -54,14 +57,30 @@ void addStrand(const Fabric& f, const Strand& s, double stiffness, Springs& out)
     }
 }
 
+void addRope(const Fabric& f, const Strand& s, double stiffness, Springs& out) {
+    std::vector<Entry> way;
+    for (PointIndex p = s.first; p <= s.last; ++p) {
+        way.push_back(entryOf(f, p));
+    }
+    out.ropes.add(way, s.rest, stiffness);
+    out.ropePoints.emplace_back(s.first, s.last);
+}
+
+/// Floats slide where they pass other strands; loops do not.
 Springs previewSprings(const Fabric& f, const Strands& strands, std::span<const yarn::Yarn> yarns,
                        const PreviewOptions& options) {
     Springs out;
     out.springs.reserve(f.points.size());
     out.points.reserve(f.points.size());
     for (const Strand& s : strands.all) {
-        if (s.length > 0) {
-            addStrand(f, s, strandStiffness(s, yarnOf(yarns, s.carrier), options), out);
+        if (s.length <= 0) {
+            continue;
+        }
+        const double stiffness = strandStiffness(s, yarnOf(yarns, s.carrier), options);
+        if (s.kind == Strand::Kind::Float && s.last > s.first + 1) {
+            addRope(f, s, stiffness, out);
+        } else {
+            addStrand(f, s, stiffness, out);
         }
     }
     return out;
@@ -98,6 +117,19 @@ std::vector<Bend> paperBends(const Fabric& f, double stiffness) {
         }
     });
     return bends;
+}
+
+std::unique_ptr<EnergyTerm> plates(const Fabric& f, const std::vector<Spring>& springs,
+                                   std::span<const yarn::Yarn> yarns, const PreviewOptions& options) {
+    double diameter = 0;
+    for (const fabric::Yarn& y : f.yarns) {
+        diameter = std::max(diameter, yarnOf(yarns, y.carrier).outerDiameterMm);
+    }
+    double stiffness = 0;
+    for (const Spring& s : springs) {
+        stiffness += s.pull / static_cast<double>(springs.size());
+    }
+    return std::make_unique<PlateTerm>(options.plateHalfGap * diameter, options.plateStiffness * stiffness);
 }
 
 /// Half of the yarn on either side of a bonding point belongs to its entry; kg.
@@ -150,12 +182,17 @@ BondingPointModel buildBondingPointModel(const Fabric& f, std::span<const yarn::
         others.push_back(std::make_unique<StraightTerm>(mesh.straights));
         others.push_back(std::make_unique<CurlTerm>(std::move(mesh.curls)));
         others.push_back(std::make_unique<ShearTerm>(std::move(mesh.corners)));
+        others.push_back(plates(f, springs.springs, yarns, options.preview));
     }
+    auto ropes = std::make_unique<RopeTerm>(std::move(springs.ropes));
+    result.ropes = ropes.get();
+    others.push_back(std::move(ropes));
     const Vector positions = machinePositions(f);
     result.model = std::make_unique<Model>(
         std::make_unique<SpringTerm>(std::move(law), std::move(springs.springs)), std::move(others),
         masses(f, yarns), Eigen::Map<const Eigen::Matrix3Xd>(positions.data(), 3, f.entryCount));
     result.springPoint = std::move(springs.points);
+    result.ropePoints = std::move(springs.ropePoints);
     return result;
 }
 

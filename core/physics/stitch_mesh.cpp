@@ -13,6 +13,10 @@ using fabric::Side;
 
 namespace {
 
+/// A float slides through its crossings, so it must not be held at equal shares of its length; this much
+/// keeps a crossing of slack floats in their line.
+constexpr double kSlidingShare = 0.02;
+
 class Finder {
 public:
     Finder(const Fabric& f, const Strands& strands, std::span<const yarn::Yarn> yarns,
@@ -147,7 +151,8 @@ private:
             const double restBefore = restOf(s, p - 1);
             const double restAfter = restOf(s, p);
             if (before != middle && middle != after && before != after) {
-                const double b = m_options.bendStiffness * bending(s) / s.length;
+                const double share = s.kind == Strand::Kind::Float ? kSlidingShare : 1;
+                const double b = share * m_options.bendStiffness * bending(s) / s.length;
                 m_mesh.straights.push_back({before, middle, after, restBefore, restAfter, b});
             }
         }

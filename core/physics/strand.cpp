@@ -62,13 +62,17 @@ double legRest(const Fabric& f, const Strand& s) {
 }
 
 /// A float turns into its loops with the arcs of a sinker and is straight between them. At the edge, where
-/// the yarn goes on in the next course, it is no more bent than a leg.
+/// the yarn goes on in another course, it is no more bent than a leg, and while it waits there the take-down
+/// draws it along with the courses that pass by.
 void measureFloat(const Fabric& f, Strand& s) {
-    const machine::Loop& from = madeOf(f, pointOf(f, s.first).loop);
-    const machine::Loop& to = madeOf(f, pointOf(f, s.last).loop);
-    const double chord = from.direction == to.direction ? kArcChord : kLegChord;
-    s.arc = std::min(s.length, fabric::kSinkerShare * to.lengthMm);
-    s.rest = s.length - (1 - chord) * s.arc;
+    const LoopIndex fromLoop = pointOf(f, s.first).loop;
+    const LoopIndex toLoop = pointOf(f, s.last).loop;
+    const double loop = madeOf(f, toLoop).lengthMm;
+    const double chord = madeOf(f, fromLoop).direction == madeOf(f, toLoop).direction ? kArcChord : kLegChord;
+    const int courses = std::abs(f.loops[static_cast<std::size_t>(fromLoop)].course -
+                                 f.loops[static_cast<std::size_t>(toLoop)].course);
+    s.arc = std::min(s.length, fabric::kSinkerShare * loop);
+    s.rest = std::max(s.length - (1 - chord) * s.arc, courses * kLegChord * fabric::kLegShare * loop);
 }
 
 void measure(const Fabric& f, Strand& s) {
