@@ -46,7 +46,11 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxB
     return bytes;
 }
 
-Result<Written> writeFileAtomically(const std::filesystem::path& path, std::string_view bytes) {
+Result<Written> writeFileAtomically(const std::filesystem::path& wanted, std::string_view bytes) {
+    // A symbolic link stays one: its target is replaced.
+    std::error_code code;
+    const std::filesystem::path path =
+        std::filesystem::is_symlink(wanted, code) ? std::filesystem::weakly_canonical(wanted, code) : wanted;
     std::string temporary = path.string() + ".XXXXXX";
     const int descriptor = ::mkstemp(temporary.data());
     if (descriptor < 0) {
@@ -68,13 +72,12 @@ Result<Written> writeFileAtomically(const std::filesystem::path& path, std::stri
         error = errno;
     }
     if (error == 0) {
-        std::error_code code;
         using std::filesystem::perms;
         const auto status = std::filesystem::status(path, code);
-        const perms wanted = std::filesystem::exists(status) ? status.permissions()
+        const perms mode = std::filesystem::exists(status) ? status.permissions()
                                                              : perms::owner_read | perms::owner_write |
                                                                    perms::group_read | perms::others_read;
-        std::filesystem::permissions(temporary, wanted, code);
+        std::filesystem::permissions(temporary, mode, code);
         std::filesystem::rename(temporary, path, code);
         error = code.value();
     }

@@ -1,6 +1,7 @@
 #include "core/fabric/yarn_threader.h"
 
 #include <algorithm>
+#include <numeric>
 #include <ranges>
 
 namespace knittsim::fabric {
@@ -61,9 +62,7 @@ private:
         yarn.count = static_cast<std::int32_t>(m_fabric.points.size()) - yarn.first;
         const auto first = m_fabric.lengths.begin() + yarn.first;
         yarn.lengthMm = m_loose + m_pending;
-        for (const double length : std::ranges::subrange(first, m_fabric.lengths.end())) {
-            yarn.lengthMm += length;
-        }
+        yarn.lengthMm = std::accumulate(first, m_fabric.lengths.end(), yarn.lengthMm);
         m_fabric.yarns.push_back(yarn);
     }
 

@@ -100,7 +100,7 @@ void Emulator::step(EmulationListener* listener, Diagnostics* diagnostics) {
         }
         break;
     case OperationKind::YarnIn:
-        placeYarns(op);
+        placeYarns(op, report, listener);
         break;
     case OperationKind::Amiss:
     case OperationKind::Pause:
@@ -151,11 +151,16 @@ void Emulator::takeOut(const Operation& op, const Report& report, EmulationListe
     }
 }
 
-void Emulator::placeYarns(const Operation& op) {
+void Emulator::placeYarns(const Operation& op, const Report& report, EmulationListener* listener) {
     for (const CarrierIndex c : op.carriers) {
+        if (carrier(c).in) {
+            report("KS0202", Severity::Error, {report.name(c)});
+            if (listener != nullptr) {
+                listener->yarnCut(c);
+            }
+        }
         startYarn(c);
-        carrier(c).placed = true;
-        carrier(c).place = {op.needle, op.direction, positionPitches(op.needle, m_state.rack)};
+        moveYarn(c, {op.needle, op.direction, positionPitches(op.needle, m_state.rack)}, listener);
     }
 }
 

@@ -64,7 +64,7 @@ private:
 
     void bringIn(const Operation& op, const Report& report);
     void takeOut(const Operation& op, const Report& report, EmulationListener* listener);
-    void placeYarns(const Operation& op);
+    void placeYarns(const Operation& op, const Report& report, EmulationListener* listener);
     void knit(Operation op, const Report& report, EmulationListener* listener);
     void transfer(const Operation& op, const Report& report, EmulationListener* listener);
     void drop(Needle needle, EmulationListener* listener);

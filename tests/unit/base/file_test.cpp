@@ -101,6 +101,15 @@ TEST_F(WriteFile, WritesAndReplaces) {
     EXPECT_EQ(entryCount(), 1);
 }
 
+TEST_F(WriteFile, WritesThroughASymbolicLink) {
+    const fs::path target = put("target", "old");
+    const fs::path link = m_folder / "link";
+    fs::create_symlink(target, link);
+    EXPECT_TRUE(writeFileAtomically(link, "new"));
+    EXPECT_TRUE(fs::is_symlink(link));
+    EXPECT_EQ(readFile(target).value(), "new");
+}
+
 TEST_F(WriteFile, KeepsThePermissionsOfTheOldFile) {
     const fs::path path = put("a", "old");
     const fs::perms perms = fs::perms::owner_read | fs::perms::owner_write | fs::perms::owner_exec;

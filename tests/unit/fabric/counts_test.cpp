@@ -150,6 +150,13 @@ TEST(Counts, APrefixIsTheFabricOfThatMoment) {
     EXPECT_EQ(buildFabric(timeline, 0).points.size(), 0U);
 }
 
+TEST(Counts, AYarnThatIsThereFromTheStartIsLaidLikeAnyOther) {
+    const Fabric fabric = build("x-yarn-in + f0 1\nknit + f1 1\nknit + f2 1\nx-yarn-in - f5 1\nknit - f4 1\n");
+    EXPECT_EQ(fabric.yarns.size(), 2U);
+    EXPECT_EQ(fabric.yarns[0].count, 4);
+    EXPECT_EQ(fabric.yarns[1].count, 2);
+}
+
 TEST(Counts, DroppedLoopsAreMarked) {
     const Fabric fabric = build("in 1\nknit + f0 1\nknit + f1 1\ndrop f0\n");
     EXPECT_EQ(fabric.loops[0].end, Loop::End::Dropped);
