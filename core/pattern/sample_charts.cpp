@@ -8,7 +8,7 @@ namespace knittsim::pattern {
 namespace {
 
 const ChartYarn kCream{"1", {0xe9, 0xdf, 0xc8}, "merino-2-30"};
-const ChartYarn kNavy{"2", {0x24, 0x3b, 0x5e}, "merino-2-48"};
+const ChartYarn kNavy{"2", {0x24, 0x3b, 0x5e}, "merino-2-30"};
 const ChartYarn kRust{"3", {0xb5, 0x52, 0x33}, "acrylic-hb-2-28"};
 const ChartYarn kForest{"4", {0x3f, 0x6b, 0x4f}, "acrylic-hb-2-28"};
 const ChartYarn kMustard{"5", {0xd9, 0xa6, 0x2e}, "acrylic-hb-2-28"};
