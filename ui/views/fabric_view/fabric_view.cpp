@@ -51,6 +51,7 @@ struct FabricView::Implementation {
     bool hasGl = true;
     QString glReason;
     bool fitPending = true; ///< fit as soon as there is a picture
+    bool following = false;   ///< see setFollowing()
     bool followFit = true;  ///< the person has not moved the camera since the last fit
     bool dragMode = false;
 
@@ -137,7 +138,7 @@ void FabricView::Implementation::takePicture() {
     content.scene = std::move(picture->scene);
     shownFabric = std::move(picture->fabric);
     content.camera.setScene(content.scene->bounds);
-    if (fitPending && !content.scene->bounds.empty()) {
+    if ((fitPending || (following && followFit)) && !content.scene->bounds.empty()) {
         fitPending = false;
         content.camera.fit(content.scene->bounds);
     }
@@ -283,6 +284,10 @@ void FabricView::fit() {
         m->moveCamera([&](render::Camera& camera) { camera.fit(m->content.scene->bounds); });
     }
     m->followFit = true;
+}
+
+void FabricView::setFollowing(bool on) {
+    m->following = on;
 }
 
 void FabricView::lookFront() {

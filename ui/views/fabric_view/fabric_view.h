@@ -49,6 +49,7 @@ public:
     void centreOn(int loop);
 
     void fit();
+    void setFollowing(bool on); ///< keeps a changing fabric fitted until the person moves the camera
     void lookFront();
     void lookBack();
     void lookTop();
