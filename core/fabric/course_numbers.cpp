@@ -9,7 +9,7 @@ namespace {
 /// Looks at the loops of one pass; loops of earlier passes have their course already.
 class PassCourse {
 public:
-    void knit(std::int32_t parentCourse) { m_knit = std::max(m_knit, parentCourse + 1); }
+    void knit(std::int32_t below) { m_knit = below < 0 ? m_knit : std::max(m_knit, below + 1); }
     void continues(std::int32_t course) { m_before = std::max(m_before, course); }
 
     /// A pass that draws nothing through (cast-on, tucks only) lies in the course of its yarn's last pass.
@@ -19,6 +19,23 @@ private:
     std::int32_t m_knit = -1;
     std::int32_t m_before = -1;
 };
+
+/// Course of the loops that a loop is drawn through, -1 for none. Tucks count only among themselves: a tuck
+/// over the join of two colours lies in the course above its needle's loop and must not lift the next course.
+/// Loops from `first` on belong to the same pass and have no course yet.
+std::int32_t courseBelow(const CourseNumbers& numbers, const machine::LoopTable& table,
+                         machine::LoopIndex loop, std::size_t first) {
+    std::int32_t knitted = -1;
+    std::int32_t tucked = -1;
+    for (const machine::LoopIndex parent : table.parentsOf(loop)) {
+        const auto p = static_cast<std::size_t>(parent);
+        if (p < first) {
+            std::int32_t& course = table.loops[p].kind == machine::OperationKind::Tuck ? tucked : knitted;
+            course = std::max(course, numbers.courseOf(table.loops[p].operation));
+        }
+    }
+    return knitted >= 0 ? knitted : tucked;
+}
 
 } // namespace
 
@@ -46,11 +63,7 @@ CourseNumbers numberCourses(const machine::Timeline& timeline) {
                 break;
             }
             pass.continues(lastCourseOfYarn[static_cast<std::size_t>(loop.yarn)]);
-            for (const machine::LoopIndex parent : table.parentsOf(static_cast<machine::LoopIndex>(i))) {
-                if (static_cast<std::size_t>(parent) < first) {
-                    pass.knit(numbers.courseOf(table.loops[static_cast<std::size_t>(parent)].operation));
-                }
-            }
+            pass.knit(courseBelow(numbers, table, static_cast<machine::LoopIndex>(i), first));
         }
         numbers.courseOfPass[static_cast<std::size_t>(passIndex)] = pass.course();
         for (std::size_t made = first; made < i; ++made) {

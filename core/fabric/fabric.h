@@ -26,6 +26,9 @@ enum class Role : std::uint8_t { Foot, Head, Crossing };
 
 enum class Side : std::uint8_t { Left, Right };
 
+/// A piece of yarn that crossings lie on: a leg of a loop, or the float before it.
+enum class Piece : std::uint8_t { LeftLeg, RightLeg, Float };
+
 /// A bonding point with its history.
 struct BondingPoint {
     EntryIndex entry = -1;         ///< its place in the bonding point table
@@ -37,7 +40,8 @@ struct BondingPoint {
     /// Crossing: +1 this strand lies in front (nearer to a viewer of the front bed), -1 behind.
     /// Foot and Head: 0, the order follows from the bed of the loop.
     std::int8_t front = 0;
-    std::int32_t crossing = -1; ///< index into Fabric::crossings, or -1
+    Piece piece = Piece::LeftLeg; ///< Crossing: on which it lies
+    std::int32_t crossing = -1;   ///< index into Fabric::crossings, or -1
 };
 
 /// Part of a yarn made in one carriage pass (the paper's BPCourse): points [first, first + count).
@@ -77,6 +81,7 @@ struct Loop {
     Needle bound;         ///< needle on which the next loop came through it, or where it is at the end
     double boundRack = 0; ///< racking then
     enum class End : std::uint8_t { Bound, Held, Dropped } end = End::Held;
+    bool onNeedle = false; ///< hangs on a needle at the end; after a split a bound loop may still do so
 
     std::array<PointIndex, 4> corners() const { return {footLeft, headLeft, headRight, footRight}; }
 };

@@ -1,6 +1,7 @@
 #include "core/fabric/fabric_builder.h"
 
 #include "core/fabric/course_numbers.h"
+#include "core/fabric/entry_index.h"
 #include "core/fabric/entry_table.h"
 #include "core/fabric/leg_crossings.h"
 #include "core/fabric/machine_shape.h"
@@ -27,6 +28,16 @@ std::vector<Loop> fatesToLoops(const machine::LoopTable& made, const StrandTrack
     return loops;
 }
 
+void markHeld(const machine::MachineState& end, std::vector<Loop>& loops) {
+    for (const machine::NeedleRow& row : end.beds) {
+        for (std::int32_t needle = row.first(); needle < row.end(); ++needle) {
+            for (const LoopIndex loop : row.at(needle)) {
+                loops[static_cast<std::size_t>(loop)].onNeedle = true;
+            }
+        }
+    }
+}
+
 /// The next loop comes through all heads of a needle at once, so these heads are one place.
 void joinHeads(const machine::LoopTable& made, const machine::MachineState& end, EntryTable& entries) {
     const auto join = [&](std::span<const LoopIndex> stack) {
@@ -42,22 +53,6 @@ void joinHeads(const machine::LoopTable& made, const machine::MachineState& end,
         for (std::int32_t needle = row.first(); needle < row.end(); ++needle) {
             join(row.at(needle));
         }
-    }
-}
-
-void indexEntries(Fabric& fabric) {
-    fabric.firstOfEntry.assign(static_cast<std::size_t>(fabric.entryCount) + 1, 0);
-    for (const BondingPoint& point : fabric.points) {
-        ++fabric.firstOfEntry[static_cast<std::size_t>(point.entry) + 1];
-    }
-    for (std::size_t e = 1; e < fabric.firstOfEntry.size(); ++e) {
-        fabric.firstOfEntry[e] += fabric.firstOfEntry[e - 1];
-    }
-    fabric.pointsOfEntry.resize(fabric.points.size());
-    std::vector<std::int32_t> next(fabric.firstOfEntry.begin(), fabric.firstOfEntry.end() - 1);
-    for (std::size_t p = 0; p < fabric.points.size(); ++p) {
-        const auto slot = next[static_cast<std::size_t>(fabric.points[p].entry)]++;
-        fabric.pointsOfEntry[static_cast<std::size_t>(slot)] = static_cast<PointIndex>(p);
     }
 }
 
@@ -77,6 +72,7 @@ Fabric buildFabric(const machine::Timeline& timeline, OperationIndex count) {
     fabric.made = emulator.takeLoops();
     const CourseNumbers courses = numberCourses(timeline);
     fabric.loops = fatesToLoops(fabric.made, tracker, courses);
+    markHeld(emulator.state(), fabric.loops);
     for (const Loop& loop : fabric.loops) {
         fabric.courseCount = std::max(fabric.courseCount, loop.course + 1);
     }

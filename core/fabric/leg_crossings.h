@@ -8,9 +8,6 @@
 
 namespace knittsim::fabric {
 
-/// A piece of yarn that crossings lie on: a leg of a loop, or the float before it.
-enum class Piece : std::uint8_t { LeftLeg, RightLeg, Float };
-
 /// Passings of strands as crossings of single legs and floats: two loops cross with four pairs of legs, a
 /// float crosses a loop with two.
 class LegCrossings {

@@ -126,6 +126,7 @@ private:
                                            .role = Role::Crossing,
                                            .side = piece == Piece::RightLeg ? Side::Right : Side::Left,
                                            .front = static_cast<std::int8_t>(over ? 1 : -1),
+                                           .piece = piece,
                                            .crossing = number});
         (over ? m_fabric.crossings[i].over : m_fabric.crossings[i].under) = point;
     }

@@ -151,7 +151,8 @@ TEST(Counts, APrefixIsTheFabricOfThatMoment) {
 }
 
 TEST(Counts, AYarnThatIsThereFromTheStartIsLaidLikeAnyOther) {
-    const Fabric fabric = build("x-yarn-in + f0 1\nknit + f1 1\nknit + f2 1\nx-yarn-in - f5 1\nknit - f4 1\n");
+    const Fabric fabric =
+        build("x-yarn-in + f0 1\nknit + f1 1\nknit + f2 1\nx-yarn-in - f5 1\nknit - f4 1\n");
     EXPECT_EQ(fabric.yarns.size(), 2U);
     EXPECT_EQ(fabric.yarns[0].count, 4);
     EXPECT_EQ(fabric.yarns[1].count, 2);
@@ -169,6 +170,16 @@ TEST(Courses, TwoColoursOfAJacquardRowShareACourse) {
     EXPECT_EQ(fabric.loops[4].course, 1);
     EXPECT_EQ(fabric.loops[6].course, 1);
     EXPECT_EQ(fabric.loops[8].course, 2);
+}
+
+TEST(Courses, AJoinTuckDoesNotLiftTheNextCourse) {
+    std::string lines = "in 1\nin 2\n" + pass("knit", 'f', 0, 3, 1) + pass("knit", 'f', 7, 4, 2);
+    for (int course = 1; course < 9; course += 2) {
+        lines += pass("knit", 'f', 3, 0, 1) + "tuck + f3 2\n" + pass("knit", 'f', 4, 7, 2);
+        lines += pass("knit", 'f', 0, 3, 1) + "tuck + f4 1\n" + pass("knit", 'f', 7, 4, 2);
+    }
+    const Fabric fabric = build(lines);
+    EXPECT_EQ(fabric.courseCount, 9);
 }
 
 } // namespace

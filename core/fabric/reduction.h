@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/fabric/fabric.h"
+
+#include <vector>
+
+namespace knittsim::fabric {
+
+struct ReductionOptions {
+    /// Loops still on needles hang on a stitch holder. Without it they run as well.
+    bool stitchHolder = true;
+};
+
+/// Loops that nothing holds, in the order in which they run: step 0 are those that were let go, the next step
+/// those that lost their hold with them, and so on down the ladder.
+struct Runs {
+    std::vector<std::vector<LoopIndex>> steps;
+
+    std::size_t loopCount() const;
+};
+
+/// A loop holds while it hangs on a needle or a loop that holds is drawn through it. Meissner & Eberhardt
+/// 1998, section 4.
+Runs findRuns(const Fabric& fabric, const ReductionOptions& options = {});
+
+struct ReducedFabric {
+    Fabric fabric;                       ///< loop numbers as before; removed loops have no points
+    std::vector<EntryIndex> entryBefore; ///< by new entry: the entry of the fabric before, for positions
+};
+
+/// Takes the loops of the first `steps` steps out (all when negative). A yarn then runs straight past a
+/// removed loop, as the rung of a ladder; the yarn of the loop itself goes in equal parts to the neighbouring
+/// loops of its yarn (section 5).
+ReducedFabric removeRuns(const Fabric& fabric, const Runs& runs, int steps = -1);
+
+} // namespace knittsim::fabric
