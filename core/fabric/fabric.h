@@ -116,8 +116,10 @@ struct Fabric {
 
 /// Yarn between the four points of a plain loop and to its neighbour, as shares of the loop length
 /// (measured on a relaxed rod model of plain knit; sum of one loop and one sinker is 1).
-constexpr double kHeadShare = 0.281;   ///< between the two heads
-constexpr double kLegShare = 0.219;    ///< between foot and head
+constexpr double kHeadShare = 0.281; ///< between the two heads
+constexpr double kLegShare = 0.219;  ///< between foot and head
+constexpr double kCourseShare =
+    0.19; ///< height of one course; a parked yarn is drawn so far by the take-down
 constexpr double kSinkerShare = 0.281; ///< between the feet of neighbouring loops
 
 } // namespace knittsim::fabric

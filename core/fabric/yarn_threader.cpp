@@ -1,6 +1,7 @@
 #include "core/fabric/yarn_threader.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 #include <ranges>
 
@@ -50,7 +51,7 @@ private:
         m_yarnFirst = yarn.first;
         m_pending = 0;
         m_loose = 0;
-        m_yarnBegun = false;
+        m_previous = -1;
         m_pass = -1;
         const auto yarnIndex = static_cast<std::int32_t>(m_fabric.yarns.size());
         for (const LoopIndex loop : loops) {
@@ -81,16 +82,14 @@ private:
 
     void threadLoop(LoopIndex index) {
         const machine::Loop& loop = made(index);
-        const double floatLength =
-            m_yarnBegun ? kSinkerShare * loop.lengthMm + std::max(0.0, loop.wayPitches - 1) * m_fabric.pitchMm
-                        : 0;
+        const double floatLength = m_previous < 0 ? 0 : yarnBetween(m_previous, index);
         const double leg = kLegShare * loop.lengthMm;
         const bool rightward = loop.direction == Direction::Right;
         const Side in = rightward ? Side::Left : Side::Right;
         const Side out = rightward ? Side::Right : Side::Left;
 
         addPiece(index, Piece::Float, floatLength, false);
-        m_yarnBegun = true;
+        m_previous = index;
         addFoot(index, in);
         addPiece(index, in == Side::Left ? Piece::LeftLeg : Piece::RightLeg, leg, false);
         addHead(index, in);
@@ -98,6 +97,16 @@ private:
         addHead(index, out);
         addPiece(index, out == Side::Left ? Piece::LeftLeg : Piece::RightLeg, leg, true);
         addFoot(index, out);
+    }
+
+    /// Sinker or float from one loop of a yarn to the next: needles passed, and courses passed while the
+    /// carrier stood.
+    double yarnBetween(LoopIndex from, LoopIndex to) const {
+        const machine::Loop& loop = made(to);
+        const auto courseOf = [&](LoopIndex l) { return m_fabric.loops[static_cast<std::size_t>(l)].course; };
+        const int courses = std::abs(courseOf(to) - courseOf(from));
+        return kSinkerShare * loop.lengthMm + std::max(0.0, loop.wayPitches - 1) * m_fabric.pitchMm +
+               std::max(0, courses - 1) * kCourseShare * loop.lengthMm;
     }
 
     /// A float or leg: its crossings at equal distances. `downwards`: the yarn runs against the order of
@@ -175,9 +184,9 @@ private:
     EntryTable& m_entries;
     std::vector<EntryIndex> m_rowOfCrossing;
     PointIndex m_yarnFirst = 0;
-    double m_pending = 0; ///< mm of yarn since the last point
-    double m_loose = 0;   ///< mm of yarn before the first point
-    bool m_yarnBegun = false;
+    double m_pending = 0;      ///< mm of yarn since the last point
+    double m_loose = 0;        ///< mm of yarn before the first point
+    LoopIndex m_previous = -1; ///< of the same yarn
     std::int32_t m_pass = -1;
 };
 

@@ -91,6 +91,19 @@ TEST(Counts, AFloatFeedsTheNeedlesItPasses) {
     EXPECT_NEAR(timeline.finalState().carriers[0].fedMm, 3 * loop + 4 * pitch, 1e-9);
 }
 
+TEST(Counts, AParkedYarnIsDrawnAsFarAsTheFabricGrows) {
+    // Carrier 2 waits at the edge while carrier 1 knits four courses.
+    std::string lines = "in 1\nin 2\n" + pass("knit", 'f', 0, 2, 2);
+    lines += pass("knit", 'f', 0, 2, 1) + pass("knit", 'f', 2, 0, 1) + pass("knit", 'f', 0, 2, 1) +
+             pass("knit", 'f', 2, 0, 1);
+    const machine::Timeline timeline = test::timeline(lines + pass("knit", 'f', 2, 0, 2));
+    const Fabric fabric = buildFabric(timeline);
+    const double loop = timeline.profile().defaultLoopLengthMm;
+    // The first loop has no sinker before it; from course 0 to course 5 the yarn passes four courses more
+    // than a turn.
+    EXPECT_NEAR(fabric.yarns[1].lengthMm, loop * (6 - kSinkerShare + 4 * kCourseShare), 1e-9);
+}
+
 TEST(Counts, StackedLoopsShareTheirHeads) {
     const Fabric fabric =
         build("in 1\nknit + f0 1\nknit + f1 1\nxfer f1 b1\nrack -1\nxfer b1 f0\nrack 0\nknit - f0 1\n");
