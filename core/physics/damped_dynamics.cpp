@@ -1,5 +1,6 @@
 #include "core/physics/damped_dynamics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -26,7 +27,15 @@ void DampedDynamics::attach(Model& model, const Motion& motion) {
     m_frequency = highestFrequency();
     m_inverseMass /= m_frequency * m_frequency;
     m_massDamping = std::numbers::pi / std::sqrt(static_cast<double>(model.entryCount()));
+    m_stableStep = kStableStep;
     evaluations = 0;
+}
+
+void DampedDynamics::freeze(const Vector& x) {
+    m_model->linearise(x);
+    // m_inverseMass has 1/w^2 inside, so this is relative to w. Above 1 the damping grows with the square.
+    const double ratio = highestFrequency();
+    m_stableStep = kStableStep / std::max(ratio, ratio * ratio);
 }
 
 /// Power iteration for H x = w^2 M x from a start with all short waves in it; a few per cent are enough.

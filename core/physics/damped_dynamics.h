@@ -25,7 +25,12 @@ public:
     double massDamping() const { return m_massDamping; } ///< a/w
     Eigen::Index size() const { return 2 * m_model->size(); }
 
-    void freeze(const Vector& x) { m_model->linearise(x); }
+    /// Renews H.
+    void freeze(const Vector& x);
+
+    /// Scaled time step below which an explicit method of order 5 is stable for the present H. Error control
+    /// alone would let the shortest waves tremble at the limit and never come to rest.
+    double stableStep() const { return m_stableStep; }
 
     /// y' at y; both of length size(). Counts evaluations.
     void slope(Eigen::Ref<const Vector> y, Eigen::Ref<Vector> derivative);
@@ -42,12 +47,15 @@ public:
     int evaluations = 0; ///< of forces and Hessian products, since `report`
 
 private:
+    static constexpr double kStableStep = 2; ///< of the 3 or so that the methods bear
+
     double highestFrequency() const;
 
     Model* m_model = nullptr;
     Vector m_inverseMass; ///< by coordinate, times 1/w^2
     double m_frequency = 1;
     double m_massDamping = 0;
+    double m_stableStep = kStableStep;
     Vector m_first, m_second, m_gradient;
 };
 

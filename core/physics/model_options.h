@@ -17,7 +17,7 @@ struct PreviewOptions {
     /// Plates (plate_term.h): half their gap in diameters of the thickest yarn - a rib is 3.4 to 4.8
     /// diameters thick (PHYSICS-REFERENCE 3.3) - and their stiffness against the mean spring.
     double plateHalfGap = 2.4;
-    double plateStiffness = 1e-3;
+    double plateStiffness = 3e-3;
 };
 
 /// The paper's energies on the yarn itself: rest length = yarn length. Constants as in the paper, without

@@ -2,6 +2,7 @@
 
 #include <arkode/arkode_erkstep.h>
 
+#include <algorithm>
 #include <new>
 
 namespace knittsim::physics {
@@ -34,13 +35,15 @@ void RungeKutta::create(N_Vector y) {
     ERKStepSetTableNum(m_memory, table);
     ERKStepSStolerances(m_memory, kRelativeTolerance, absoluteTolerance());
     ERKStepSetInitStep(m_memory, kFirstStep);
+    ERKStepSetMaxStep(m_memory, dynamics().stableStep());
     ERKStepSetErrFile(m_memory, nullptr);
 }
 
 int RungeKutta::reset(double scaledTime, N_Vector y) {
     const double step = lastStep();
     const int flag = ERKStepReset(m_memory, scaledTime, y);
-    ERKStepSetInitStep(m_memory, step);
+    ERKStepSetInitStep(m_memory, std::min(step, dynamics().stableStep()));
+    ERKStepSetMaxStep(m_memory, dynamics().stableStep());
     return flag;
 }
 

@@ -1,12 +1,9 @@
 #include "core/physics/time_stepper.h"
 
-#include <limits>
-
 namespace knittsim::physics {
 
 namespace {
 constexpr int kFreezeInterval = 50; // steps
-/// An explicit step is at most about this long in scaled time; interpolation is never used.
 } // namespace
 
 void TimeStepper::initialise(Model& model, const Motion& motion) {
