@@ -70,7 +70,14 @@ private:
 
 void CoarseSpace::cut(const Model& model, int entriesAcross) {
     const Eigen::Matrix3Xd& layout = model.layout();
-    const double entries = static_cast<double>(std::max<Eigen::Index>(1, layout.cols()));
+    m_patchCount = 0;
+    m_usable = false;
+    m_analysed = false;
+    m_patch.clear();
+    if (layout.cols() == 0) {
+        return;
+    }
+    const double entries = static_cast<double>(layout.cols());
     const double across = std::max<double>(entriesAcross, std::sqrt(entries / (0.8 * kMostPatches)));
     const Eigen::Vector3d low = layout.rowwise().minCoeff();
     const Eigen::Vector3d extent = layout.rowwise().maxCoeff() - low;
@@ -89,8 +96,6 @@ void CoarseSpace::cut(const Model& model, int entriesAcross) {
             numbers.try_emplace(key, static_cast<int>(numbers.size())).first->second;
     }
     m_patchCount = static_cast<int>(numbers.size());
-    m_usable = false;
-    m_analysed = false;
 }
 
 bool CoarseSpace::build(const Model& model, double massFactor) {

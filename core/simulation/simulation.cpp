@@ -260,6 +260,10 @@ struct Simulation::Implementation {
 
     /// One integrator step; a shape of useless numbers is thrown away.
     void step(const physics::Interrupt& interrupt) {
+        if (motion.positions.size() == 0) {
+            halt(State::AtRest, StopReason::ResidualReached); // a fabric of nothing
+            return;
+        }
         if (!initialised) {
             integrator->initialise(*net.model, motion);
             initialised = true;
