@@ -3,5 +3,5 @@ uniform vec3 uAccent;
 
 void main() {
     findSurface();
-    oColour = vec4(mix(uColour, uAccent, vState.x + 0.5 * vState.y), 1.0);
+    oColour = vec4(mix(uColour, uAccent, vGlow), 1.0);
 }

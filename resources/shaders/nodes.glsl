@@ -1,7 +1,8 @@
-// Nodes of yarns, as the vertex shaders read them.
+// Nodes of yarns, as the vertex shaders read them, and what the fragment shaders get of them. Few outputs: a software
+// driver pays for each of them at every pixel.
 
 uniform samplerBuffer uNodes;      // x y z, arc length (mm)
-uniform usamplerBuffer uSurface;   // reference direction and height, fabric normal; packed
+uniform usamplerBuffer uSurface;   // direction across and height, fabric normal; packed
 uniform usamplerBuffer uOwner;     // bonding point
 uniform usamplerBuffer uState;     // by bonding point: 0 plain, 1 selected, 2 hovered
 uniform mat4 uView;
@@ -9,13 +10,22 @@ uniform mat4 uProjection;
 uniform vec4 uViewer;              // eye (w = 1) or direction to a viewer far away (w = 0)
 uniform float uRadius;             // mm
 uniform bool uAnyState;
+uniform int uStride;               // only every so many nodes are drawn
 
 out vec3 vTangent;
-out vec3 vNormal;                  // of the fabric, on the viewer's side
-out vec3 vToViewer;
 out float vArc;                    // mm
-out float vHeight;                 // diameters over the fabric, towards the viewer
-out vec2 vState;                   // selected, hovered
+out float vDepth;                  // diameters over the fabric's middle, towards the viewer
+out float vSlope;                  // sine of the angle between yarn and line of sight
+out float vGlow;                   // 1 selected, 0.5 hovered, 0
+
+struct Node {
+    vec3 place;
+    vec3 reference;                // a direction across the yarn that turns with it
+    vec3 toViewer;
+    vec3 normal;                   // of the fabric, on the viewer's side
+    float height;                  // diameters over the fabric's middle, towards the viewer
+    bool isEnd;
+};
 
 vec3 unpackDirection(uint bits) {
     vec2 p = vec2(float(bits & 2047u), float((bits >> 11) & 2047u)) / 1023.0 - 1.0;
@@ -26,32 +36,32 @@ vec3 unpackDirection(uint bits) {
     return normalize(n);
 }
 
-// Fills the outputs above; returns the node's place, a direction across the yarn and whether the yarn ends here.
-vec3 readNode(int node, out vec3 reference, out bool isEnd) {
-    vec4 here = texelFetch(uNodes, node);
-    vec4 before = texelFetch(uNodes, max(node - 1, 0));
-    vec4 after = texelFetch(uNodes, min(node + 1, textureSize(uNodes) - 1));
-    // Arc length falls where another yarn begins.
-    if (before.w > here.w) before = here;
-    if (after.w < here.w) after = here;
-    isEnd = before.w == here.w || after.w == here.w;
+// Fills the outputs that do not depend on the vertex around the node.
+Node readNode(int index) {
+    vec4 here = texelFetch(uNodes, index);
+    vec4 before = texelFetch(uNodes, max(index - 1, 0));
+    vec4 after = texelFetch(uNodes, min(index + 1, textureSize(uNodes) - 1));
+    // Arc length rises along a yarn; it is negative between two yarns.
+    bool isFirst = before.w < 0.0 || before.w >= here.w;
+    bool isLast = after.w <= here.w;
+    if (isFirst) before = here;
+    if (isLast) after = here;
     vec3 way = after.xyz - before.xyz;
     float length2 = dot(way, way);
     vTangent = length2 > 0.0 ? way * inversesqrt(length2) : vec3(1.0, 0.0, 0.0);
-    vToViewer = normalize(uViewer.xyz - uViewer.w * here.xyz);
-
-    uvec2 surface = texelFetch(uSurface, node).rg;
-    reference = unpackDirection(surface.r);
-    vNormal = unpackDirection(surface.g);
-    float facing = clamp(4.0 * dot(vNormal, vToViewer), -1.0, 1.0);
-    vHeight = facing * (float(surface.r >> 22) / 1023.0 * 4.0 - 2.0);
-    vNormal *= facing;
-
     vArc = here.w;
-    vState = vec2(0.0);
+
+    uvec2 surface = texelFetch(uSurface, index).rg;
+    vec3 toViewer = normalize(uViewer.xyz - uViewer.w * here.xyz);
+    vec3 normal = unpackDirection(surface.g);
+    float facing = clamp(4.0 * dot(normal, toViewer), -1.0, 1.0);
+    float height = facing * (float(surface.r >> 22) / 1023.0 * 4.0 - 2.0);
+    vSlope = max(0.05, length(cross(vTangent, toViewer)));
+
+    vGlow = 0.0;
     if (uAnyState) {
-        uint state = texelFetch(uState, int(texelFetch(uOwner, node).r)).r;
-        vState = vec2(state == 1u ? 1.0 : 0.0, state == 2u ? 1.0 : 0.0);
+        uint state = texelFetch(uState, int(texelFetch(uOwner, index).r)).r;
+        vGlow = state == 1u ? 1.0 : state == 2u ? 0.5 : 0.0;
     }
-    return here.xyz;
+    return Node(here.xyz, unpackDirection(surface.r), toViewer, facing * normal, height, isFirst || isLast);
 }

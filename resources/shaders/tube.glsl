@@ -2,8 +2,6 @@ in vec3 vOutwards;
 in float vAngle;
 
 Surface findSurface() {
-    vec3 normal = normalize(vOutwards);
-    vec3 across = cross(vTangent, vToViewer);
-    float side = min(1.0, abs(dot(normal, across)) * inversesqrt(max(dot(across, across), 1e-6)));
-    return Surface(normal, sqrt(1.0 - side * side), side, vAngle);
+    vec3 normal = vOutwards * inversesqrt(dot(vOutwards, vOutwards));
+    return Surface(normal, clamp(dot(normal, uToViewer) / vSlope, 0.0, 1.0), vAngle);
 }

@@ -2,7 +2,8 @@
 
 #include "ui/render/buffer_texture.h"
 #include "ui/render/fibre_noise.h"
-#include "ui/render/shader_program.h"
+#include "ui/render/level_of_detail.h"
+#include "ui/render/shader_set.h"
 #include "ui/render/tube_indices.h"
 
 #include <epoxy/gl.h>
@@ -48,42 +49,11 @@ float millimetresPerPixel(const View& view) {
     return 2 * view.camera.state().halfHeight / static_cast<float>(std::max(1, view.height));
 }
 
-/// 1 where a yarn is wide enough on the screen to show its plies, 0 where it is not.
-float detailAt(float pixelsPerDiameter) {
-    return std::clamp((pixelsPerDiameter - 8.0F) / 8.0F, 0.0F, 1.0F);
-}
-
-/// Sides of the tube for a yarn of this width on the screen; 0: a band does.
-int sidesAt(float pixelsPerDiameter) {
-    return pixelsPerDiameter < 7 ? 0 : pixelsPerDiameter < 20 ? 6 : pixelsPerDiameter < 40 ? 8 : 14;
-}
-
-/// Tests spheres against the four sides of what the camera sees.
-class Frustum {
-public:
-    explicit Frustum(const Camera& camera) {
-        const Eigen::Matrix4f matrix = camera.projection() * camera.view();
-        for (int i = 0; i < 4; ++i) {
-            m_planes[i] = matrix.row(3) + (i % 2 == 0 ? 1.0F : -1.0F) * matrix.row(i / 2);
-            m_planes[i] /= std::max(1e-20F, m_planes[i].head<3>().norm());
-        }
-    }
-
-    bool sees(const Vec3f& centre, float radius) const {
-        return std::ranges::all_of(m_planes, [&](const Eigen::RowVector4f& plane) {
-            return plane.head<3>() * centre + plane[3] > -radius;
-        });
-    }
-
-private:
-    Eigen::RowVector4f m_planes[4];
-};
-
 } // namespace
 
 struct FabricRenderer::Implementation {
     std::string renderer, version;
-    std::unique_ptr<ShaderProgram> yarnTube, yarnBand, strokesTube, strokesBand, line, marker, background;
+    ShaderSet shaders;
     TubeIndices tubes;
     BufferTexture nodes{GL_RGBA32F}, surface{GL_RG32UI}, owner{GL_R32UI}, state{GL_R8UI};
     GLuint noise = 0;
@@ -121,8 +91,9 @@ struct FabricRenderer::Implementation {
     void drawBackground(const View& view) const;
     void drawYarns(const View& view);
     void drawCarrier(const View& view, const Frustum& frustum, machine::CarrierIndex carrier);
-    const ShaderProgram& programFor(bool tube) const;
-    void collectPieces(const Frustum& frustum, machine::CarrierIndex carrier, float radius, int sides);
+    const ShaderProgram& programFor(const Detail& detail) const;
+    void collectPieces(const Frustum& frustum, machine::CarrierIndex carrier, float radius,
+                       const Detail& detail);
     void setCamera(const ShaderProgram& program, const View& view) const;
     void setYarn(const ShaderProgram& program, const View& view, const YarnLook& look, float radius) const;
     void drawMarkers(const View& view) const;
@@ -140,26 +111,11 @@ Result<std::unique_ptr<FabricRenderer>> FabricRenderer::create() {
     Implementation& m = *result->m;
     m.renderer = text(GL_RENDERER);
     m.version = text(GL_VERSION);
-    struct Wanted {
-        std::unique_ptr<ShaderProgram>& program;
-        std::vector<const char*> vertex;
-        std::vector<const char*> fragment;
-    };
-    const std::vector<const char*> tube{"nodes.glsl", "tube.vert"};
-    const std::vector<const char*> band{"nodes.glsl", "band.vert"};
-    for (const Wanted& wanted : {Wanted{m.yarnTube, tube, {"surface.glsl", "tube.glsl", "yarn.frag"}},
-                                 {m.yarnBand, band, {"surface.glsl", "band.glsl", "yarn.frag"}},
-                                 {m.strokesTube, tube, {"surface.glsl", "tube.glsl", "strokes.frag"}},
-                                 {m.strokesBand, band, {"surface.glsl", "band.glsl", "strokes.frag"}},
-                                 {m.line, band, {"surface.glsl", "band.glsl", "line.frag"}},
-                                 {m.marker, {"marker.vert"}, {"marker.frag"}},
-                                 {m.background, {"background.vert"}, {"background.frag"}}}) {
-        auto loaded = ShaderProgram::load(wanted.vertex, wanted.fragment);
-        if (!loaded) {
-            return R::failure(loaded.diagnostics());
-        }
-        wanted.program = std::move(loaded.value());
+    auto shaders = loadShaders();
+    if (!shaders) {
+        return R::failure(shaders.diagnostics());
     }
+    m.shaders = std::move(shaders.value());
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &m.mostTexels);
     m.makeNoise();
     m.makeArrays();
@@ -218,7 +174,9 @@ void FabricRenderer::Implementation::setTopology(std::shared_ptr<const SceneTopo
     stateDirty = true;
 }
 
-void FabricRenderer::clear() { m->frame.reset(); }
+void FabricRenderer::clear() {
+    m->frame.reset();
+}
 
 void FabricRenderer::setLooks(std::vector<YarnLook> looks) {
     m->looks = std::move(looks);
@@ -290,9 +248,10 @@ void FabricRenderer::draw(const View& view) {
 
 void FabricRenderer::Implementation::drawBackground(const View& view) const {
     glDisable(GL_DEPTH_TEST);
-    background->use();
-    background->set("uLower", view.dark ? Vec3f(0.105F, 0.112F, 0.125F) : Vec3f(0.84F, 0.85F, 0.86F));
-    background->set("uUpper", view.dark ? Vec3f(0.185F, 0.195F, 0.215F) : Vec3f(0.955F, 0.96F, 0.965F));
+    shaders.background->use();
+    shaders.background->set("uLower", view.dark ? Vec3f(0.105F, 0.112F, 0.125F) : Vec3f(0.84F, 0.85F, 0.86F));
+    shaders.background->set("uUpper",
+                            view.dark ? Vec3f(0.185F, 0.195F, 0.215F) : Vec3f(0.955F, 0.96F, 0.965F));
     glBindVertexArray(emptyArray);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -311,16 +270,18 @@ void FabricRenderer::Implementation::drawYarns(const View& view) {
     }
 }
 
-const ShaderProgram& FabricRenderer::Implementation::programFor(bool tube) const {
+const ShaderProgram& FabricRenderer::Implementation::programFor(const Detail& detail) const {
     switch (frame->style) {
     case DrawStyle::Yarn:
-        return tube ? *yarnTube : *yarnBand;
+        return detail.sides == 0  ? *shaders.yarnBand
+               : detail.plies > 0 ? *shaders.pliedTube
+                                  : *shaders.yarnTube;
     case DrawStyle::Strokes:
-        return tube ? *strokesTube : *strokesBand;
+        return detail.sides == 0 ? *shaders.strokesBand : *shaders.strokesTube;
     case DrawStyle::Mesh:
         break;
     }
-    return *line;
+    return *shaders.line;
 }
 
 void FabricRenderer::Implementation::drawCarrier(const View& view, const Frustum& frustum,
@@ -329,15 +290,18 @@ void FabricRenderer::Implementation::drawCarrier(const View& view, const Frustum
     const bool mesh = frame->style == DrawStyle::Mesh;
     const float perPixel = millimetresPerPixel(view);
     const float radius = mesh ? 0.8F * perPixel : 0.5F * static_cast<float>(yarnLook.diameterMm);
-    const int sides = mesh ? 0 : sidesAt(2 * radius / perPixel);
-    collectPieces(frustum, carrier, radius, sides);
+    const Detail detail =
+        mesh ? Detail{} : detailAt(2 * radius / perPixel, frame->segmentMm / (2 * radius), view.quality);
+    collectPieces(frustum, carrier, radius, detail);
     if (counts.empty()) {
         return;
     }
-    const ShaderProgram& program = programFor(sides > 0);
+    const ShaderProgram& program = programFor(detail);
     setCamera(program, view);
     program.set("uRadius", radius);
-    program.set("uSides", sides);
+    program.set("uSides", detail.sides);
+    program.set("uStride", detail.stride);
+    program.set("uDetail", detail.plies);
     if (frame->style == DrawStyle::Yarn) {
         setYarn(program, view, yarnLook, radius);
     } else {
@@ -345,9 +309,10 @@ void FabricRenderer::Implementation::drawCarrier(const View& view, const Frustum
         const float share = mesh ? 0.35F : 0.0F;
         program.set("uColour", Vec3f((1 - share) * shown(yarnLook.colour) + share * ink));
         program.set("uDotMm", 1.4F * radius);
+        program.set("uSoft", std::min(0.5F, perPixel / radius));
     }
     const auto pieces = static_cast<GLsizei>(counts.size());
-    if (sides > 0) {
+    if (detail.sides > 0) {
         glBindVertexArray(tubes.array());
         glEnable(GL_CULL_FACE);
         glMultiDrawElements(GL_TRIANGLE_STRIP, counts.data(), GL_UNSIGNED_INT, offsets.data(), pieces);
@@ -360,20 +325,21 @@ void FabricRenderer::Implementation::drawCarrier(const View& view, const Frustum
 
 /// The pieces of a carrier's yarns that the camera may see, as vertex or index ranges.
 void FabricRenderer::Implementation::collectPieces(const Frustum& frustum, machine::CarrierIndex carrier,
-                                                   float radius, int sides) {
+                                                   float radius, const Detail& detail) {
     firsts.clear();
     offsets.clear();
     counts.clear();
-    if (sides > 0) {
-        tubes.prepare(frame->nodes.size(), sides);
+    const auto step = static_cast<std::size_t>(detail.stride);
+    if (detail.sides > 0) {
+        tubes.prepare(frame->nodes.size() / step + 1, detail.sides);
     }
     for (const Chunk& chunk : frame->chunks) {
         if (chunk.carrier != carrier || !frustum.sees(chunk.centre, chunk.reach + radius)) {
             continue;
         }
-        const auto first = static_cast<std::size_t>(chunk.firstNode);
-        const auto segments = static_cast<std::size_t>(chunk.count - 1);
-        if (sides > 0) {
+        const std::size_t first = static_cast<std::size_t>(chunk.firstNode) / step;
+        const std::size_t segments = static_cast<std::size_t>(chunk.count - 1) / step;
+        if (detail.sides > 0) {
             const std::size_t bytes = first * tubes.perSegment() * sizeof(std::uint32_t);
             offsets.push_back(reinterpret_cast<const void*>(bytes));
             counts.push_back(static_cast<GLsizei>(segments * tubes.perSegment()));
@@ -391,7 +357,10 @@ void FabricRenderer::Implementation::setCamera(const ShaderProgram& program, con
     const bool far = view.camera.state().orthographic;
     const Vec3f viewer = far ? view.camera.towardsViewer() : view.camera.eye();
     program.set("uViewer", Eigen::Vector4f(viewer.x(), viewer.y(), viewer.z(), far ? 0.0F : 1.0F));
-    program.set("uAccent", accent(view.dark));
+    const Vec3f glow = accent(view.dark);
+    program.set("uAccent",
+                &program == shaders.line.get() || frame->style == DrawStyle::Strokes ? glow : linear(glow));
+    program.set("uToViewer", view.camera.towardsViewer());
     program.set("uNodes", kNodesUnit);
     program.set("uSurface", kSurfaceUnit);
     program.set("uOwner", kOwnerUnit);
@@ -409,7 +378,9 @@ void FabricRenderer::Implementation::setYarn(const ShaderProgram& program, const
     constexpr float kTurn = 2 * std::numbers::pi_v<float>;
     const auto turnsPerMm = static_cast<float>(l.twistPerMetre / 1000);
     program.set("uColour", linear(shown(l.colour)));
-    program.set("uKey", onScreen(-0.50F, 0.62F, 0.60F));
+    const Vec3f key = onScreen(-0.50F, 0.62F, 0.60F);
+    program.set("uKey", key);
+    program.set("uBetween", (key + camera.towardsViewer()).normalized());
     program.set("uFill", onScreen(0.70F, -0.15F, 0.50F));
     program.set("uSky", onScreen(0, 1, 0));
     program.set("uPlies", static_cast<float>(l.plies));
@@ -418,15 +389,14 @@ void FabricRenderer::Implementation::setYarn(const ShaderProgram& program, const
     program.set("uHair", static_cast<float>(l.hairiness));
     program.set("uGloss", static_cast<float>(l.gloss));
     program.set("uMelange", static_cast<float>(l.melange));
-    program.set("uDetail", detailAt(2 * radius / millimetresPerPixel(view)));
 }
 
 void FabricRenderer::Implementation::drawMarkers(const View& view) const {
-    setCamera(*marker, view);
-    marker->set("uSize", std::clamp(0.25F / millimetresPerPixel(view), 2.5F, 11.0F));
-    marker->set("uColours[0]", view.dark ? Vec3f(0.45F, 0.80F, 0.98F) : Vec3f(0.05F, 0.40F, 0.70F));
-    marker->set("uColours[1]", view.dark ? Vec3f(0.60F, 0.90F, 0.55F) : Vec3f(0.10F, 0.52F, 0.18F));
-    marker->set("uColours[2]", view.dark ? Vec3f(1.0F, 0.55F, 0.45F) : Vec3f(0.80F, 0.16F, 0.10F));
+    setCamera(*shaders.marker, view);
+    shaders.marker->set("uSize", std::clamp(0.25F / millimetresPerPixel(view), 2.5F, 11.0F));
+    shaders.marker->set("uColours[0]", view.dark ? Vec3f(0.45F, 0.80F, 0.98F) : Vec3f(0.05F, 0.40F, 0.70F));
+    shaders.marker->set("uColours[1]", view.dark ? Vec3f(0.60F, 0.90F, 0.55F) : Vec3f(0.10F, 0.52F, 0.18F));
+    shaders.marker->set("uColours[2]", view.dark ? Vec3f(1.0F, 0.55F, 0.45F) : Vec3f(0.80F, 0.16F, 0.10F));
     glEnable(GL_PROGRAM_POINT_SIZE);
     glBindVertexArray(markerArray);
     glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(frame->markers.size()));

@@ -12,11 +12,15 @@
 
 namespace knittsim::render {
 
+/// Fast: as coarse as the size on the screen allows, for pictures in motion. Best: for pictures that stay.
+enum class Quality : std::uint8_t { Fast, Best };
+
 /// Everything of a picture but the fabric's shape.
 struct View {
     Camera camera;
     int width = 1; ///< pixels of the framebuffer that is drawn into
     int height = 1;
+    Quality quality = Quality::Fast;
     bool dark = false;
     bool transparent = false; ///< clear to nothing instead of painting a background
 };

@@ -4,12 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace knittsim::render {
 
 namespace {
 
-constexpr std::int32_t kChunkNodes = 128;
+constexpr std::int32_t kChunkNodes = 128; // a multiple of kMostStride
+
+/// Between two yarns; shaders know it by its arc length.
+constexpr std::array<float, 4> kNoNode{0, 0, 0, -1};
+
+/// First place from `node` on that every stride meets.
+std::int32_t aligned(std::int32_t node) {
+    return (node + kMostStride - 1) / kMostStride * kMostStride;
+}
 
 std::uint32_t quantise(float value, float low, float high, std::uint32_t steps) {
     const float t = std::clamp((value - low) / (high - low), 0.0F, 1.0F);
@@ -65,7 +74,7 @@ std::uint32_t markerKind(const fabric::Fabric& fabric, fabric::EntryIndex entry)
 
 int samplesFor(const fabric::Fabric& fabric) {
     const std::size_t loops = fabric.loops.size();
-    return loops > 40000 ? 1 : loops > 5000 ? 2 : loops > 1500 ? 3 : loops > 300 ? 4 : 6;
+    return loops > 40000 ? 1 : loops > 5000 ? 2 : loops > 300 ? 3 : 6;
 }
 
 FabricScene::FabricScene(std::shared_ptr<const fabric::Fabric> fabric, std::span<const YarnLook> looks,
@@ -78,19 +87,18 @@ FabricScene::FabricScene(std::shared_ptr<const fabric::Fabric> fabric, std::span
         topology->loopOfPoint.push_back(point.loop);
     }
     if (style == DrawStyle::Mesh) {
+        std::vector<fabric::PointIndex> points(m_fabric->points.size());
+        std::iota(points.begin(), points.end(), 0);
+        std::vector<geometry::YarnCurves::Range> yarns;
         for (const fabric::Yarn& yarn : m_fabric->yarns) {
-            topology->yarns.push_back({yarn.first, yarn.count, yarn.carrier});
+            yarns.push_back({yarn.first, yarn.count, yarn.carrier});
         }
-        topology->owner.resize(m_fabric->points.size());
-        for (std::size_t p = 0; p < topology->owner.size(); ++p) {
-            topology->owner[p] = static_cast<std::uint32_t>(p);
-        }
+        layOut(*topology, yarns, points);
     } else {
         m_builder = std::make_unique<geometry::YarnCurveBuilder>(
             *m_fabric, m_diameters,
             geometry::CurveOptions{.samplesPerSegment = samplesFor(*m_fabric), .withSurface = true});
-        topology->yarns = m_builder->curves().yarns;
-        topology->owner.assign(m_builder->curves().point.begin(), m_builder->curves().point.end());
+        layOut(*topology, m_builder->curves().yarns, m_builder->curves().point);
     }
     m_topology = std::move(topology);
     m_machinePositions.reserve(m_fabric->machinePositions.size() * 3);
@@ -98,6 +106,21 @@ FabricScene::FabricScene(std::shared_ptr<const fabric::Fabric> fabric, std::span
         for (int c = 0; c < 3; ++c) {
             m_machinePositions.push_back(static_cast<float>(place[c]));
         }
+    }
+}
+
+/// Places the yarns one after the other, each on an aligned node.
+void FabricScene::layOut(SceneTopology& topology, std::span<const geometry::YarnCurves::Range> yarns,
+                         std::span<const fabric::PointIndex> pointOfNode) {
+    std::int32_t node = 0;
+    for (const geometry::YarnCurves::Range& yarn : yarns) {
+        node = aligned(node);
+        topology.yarns.push_back({node, yarn.count, yarn.carrier});
+        topology.owner.resize(static_cast<std::size_t>(node), 0);
+        const auto points =
+            pointOfNode.subspan(static_cast<std::size_t>(yarn.first), static_cast<std::size_t>(yarn.count));
+        topology.owner.insert(topology.owner.end(), points.begin(), points.end());
+        node += yarn.count;
     }
 }
 
@@ -119,32 +142,36 @@ std::shared_ptr<const SceneFrame> FabricScene::prepare(std::span<const float> po
 
 void FabricScene::fillCurves(SceneFrame& frame) const {
     const geometry::YarnCurves& curves = m_builder->curves();
-    frame.nodes.resize(curves.nodes.size());
-    frame.surface.resize(curves.nodes.size());
-    for (const geometry::YarnCurves::Range& yarn : curves.yarns) {
+    frame.nodes.resize(m_topology->owner.size(), kNoNode);
+    frame.surface.resize(m_topology->owner.size());
+    for (std::size_t y = 0; y < curves.yarns.size(); ++y) {
+        const geometry::YarnCurves::Range& yarn = curves.yarns[y];
         const float perDiameter = 1 / std::max(1e-3F, frame.diameters[yarn.carrier]);
         const auto first = static_cast<std::size_t>(yarn.first);
         const std::size_t last = first + static_cast<std::size_t>(yarn.count) - 1;
+        auto to = static_cast<std::size_t>(m_topology->yarns[y].first);
         Vec3f reference = curves.normal[first];
-        for (std::size_t n = first; n <= last; ++n) {
+        for (std::size_t n = first; n <= last; ++n, ++to) {
             const Vec3f& p = curves.nodes[n];
             const Vec3f way = curves.nodes[std::min(n + 1, last)] - curves.nodes[std::max(n, first + 1) - 1];
             reference = carryOn(reference, curves.normal[n], way / std::max(1e-9F, way.norm()));
-            frame.nodes[n] = {p.x(), p.y(), p.z(), curves.arc[n]};
-            frame.surface[n] = {packDirection(reference) |
-                                    quantise(curves.height[n] * perDiameter, -2, 2, 1023) << 22,
-                                packDirection(curves.normal[n])};
+            frame.nodes[to] = {p.x(), p.y(), p.z(), curves.arc[n]};
+            frame.surface[to] = {packDirection(reference) |
+                                     quantise(curves.height[n] * perDiameter, -2, 2, 1023) << 22,
+                                 packDirection(curves.normal[n])};
         }
     }
     addChunks(frame);
 }
 
 void FabricScene::addChunks(SceneFrame& frame) const {
+    double arc = 0;
     const auto placeOf = [&](std::int32_t n) {
         return Vec3f::Map(frame.nodes[static_cast<std::size_t>(n)].data());
     };
     for (const geometry::YarnCurves::Range& yarn : m_topology->yarns) {
         const std::int32_t last = yarn.first + yarn.count - 1;
+        arc += static_cast<double>(frame.nodes[static_cast<std::size_t>(last)][3]);
         for (std::int32_t first = yarn.first; first < last; first += kChunkNodes) {
             Chunk chunk{first, std::min(kChunkNodes + 1, last - first + 1), yarn.carrier, {}, 0};
             geometry::Bounds box;
@@ -159,6 +186,8 @@ void FabricScene::addChunks(SceneFrame& frame) const {
             frame.chunks.push_back(chunk);
         }
     }
+    frame.segmentMm =
+        static_cast<float>(arc / static_cast<double>(std::max<std::size_t>(1, frame.nodes.size())));
 }
 
 void FabricScene::fillMesh(SceneFrame& frame, std::span<const float> positions) const {
@@ -170,18 +199,16 @@ void FabricScene::fillMesh(SceneFrame& frame, std::span<const float> positions) 
     };
     const std::array<std::uint32_t, 2> towardsFront{packDirection(Vec3f::UnitX()),
                                                     packDirection(Vec3f::UnitZ())};
-    frame.nodes.reserve(m_fabric->points.size());
-    frame.surface.assign(m_fabric->points.size(), towardsFront);
-    for (const fabric::Yarn& yarn : m_fabric->yarns) {
-        float arc = 0;
-        for (fabric::PointIndex p = yarn.first; p < yarn.first + yarn.count; ++p) {
-            const Vec3f place = placeOf(m_fabric->points[static_cast<std::size_t>(p)].entry);
-            if (p > yarn.first) {
-                const auto& before = frame.nodes.back();
-                // Coincident points still advance, so that a falling arc always means another yarn.
-                arc += std::max(1e-4F, (place - Vec3f(before[0], before[1], before[2])).norm());
-            }
-            frame.nodes.push_back({place.x(), place.y(), place.z(), arc});
+    frame.nodes.resize(m_topology->owner.size(), kNoNode);
+    frame.surface.assign(m_topology->owner.size(), towardsFront);
+    for (std::size_t y = 0; y < m_topology->yarns.size(); ++y) {
+        const auto first = static_cast<std::size_t>(m_topology->yarns[y].first);
+        for (std::size_t n = first; n < first + static_cast<std::size_t>(m_topology->yarns[y].count); ++n) {
+            const Vec3f place = placeOf(m_fabric->points[m_topology->owner[n]].entry);
+            // Coincident points still advance, so that a falling arc always means another yarn.
+            const float step =
+                n > first ? std::max(1e-4F, (place - Vec3f::Map(frame.nodes[n - 1].data())).norm()) : 0;
+            frame.nodes[n] = {place.x(), place.y(), place.z(), n > first ? frame.nodes[n - 1][3] + step : 0};
         }
     }
     addChunks(frame);

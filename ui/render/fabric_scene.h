@@ -11,11 +11,14 @@
 
 namespace knittsim::render {
 
+/// Yarns far away are drawn with every second or fourth node only.
+constexpr int kMostStride = 4;
+
 /// What does not change while a fabric moves: for each node its carrier and bonding point, and where yarns
 /// lie.
 struct SceneTopology {
-    std::vector<std::uint32_t> owner; ///< by node: bonding point
-    std::vector<geometry::YarnCurves::Range> yarns;
+    std::vector<std::uint32_t> owner;               ///< by node: bonding point; anything between two yarns
+    std::vector<geometry::YarnCurves::Range> yarns; ///< each begins at a multiple of kMostStride
     std::vector<machine::LoopIndex> loopOfPoint;
     std::size_t pointCount = 0;
 };
@@ -44,6 +47,7 @@ struct SceneFrame {
     std::vector<std::array<std::uint32_t, 2>> surface;
     std::vector<Chunk> chunks;
     std::vector<Marker> markers; ///< Mesh only
+    float segmentMm = 0;         ///< mean distance of neighbouring nodes
     geometry::Bounds bounds;     ///< of the yarn
     DrawStyle style = DrawStyle::Yarn;
     std::vector<float> diameters; ///< by carrier, mm, as the curves were made for
@@ -63,6 +67,8 @@ public:
     const geometry::YarnCurves& curves() const { return m_builder->curves(); }
 
 private:
+    static void layOut(SceneTopology& topology, std::span<const geometry::YarnCurves::Range> yarns,
+                       std::span<const fabric::PointIndex> pointOfNode);
     void fillCurves(SceneFrame& frame) const;
     void addChunks(SceneFrame& frame) const;
     void fillMesh(SceneFrame& frame, std::span<const float> positions) const;

@@ -7,7 +7,7 @@
 
 namespace knittsim::render {
 
-Result<std::unique_ptr<FrameTarget>> FrameTarget::create(int width, int height) {
+Result<std::unique_ptr<FrameTarget>> FrameTarget::create(int width, int height, int samples) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
     const auto fail = [&](std::string reason) {
@@ -18,7 +18,7 @@ Result<std::unique_ptr<FrameTarget>> FrameTarget::create(int width, int height) 
     if (width < 1 || height < 1 || width > largest || height > largest) {
         return fail(fmt::format("the graphics driver takes 1 to {}", largest));
     }
-    std::unique_ptr<FrameTarget> target(new FrameTarget(width, height));
+    std::unique_ptr<FrameTarget> target(new FrameTarget(width, height, samples));
     if (!target->build()) {
         return fail("the graphics driver has not enough memory");
     }
@@ -28,7 +28,7 @@ Result<std::unique_ptr<FrameTarget>> FrameTarget::create(int width, int height) 
 bool FrameTarget::build() {
     GLint most = 0;
     glGetIntegerv(GL_MAX_SAMPLES, &most);
-    m_samples = std::min(4, static_cast<int>(most));
+    m_samples = std::clamp(m_samples, 0, static_cast<int>(most));
     glGenRenderbuffers(3, m_buffers);
     glGenFramebuffers(1, &m_drawn);
     glGenFramebuffers(1, &m_resolved);
@@ -55,6 +55,16 @@ FrameTarget::~FrameTarget() {
 
 void FrameTarget::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, m_drawn);
+}
+
+void FrameTarget::clear() const {
+    bind();
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void FrameTarget::finish() const {
+    resolve();
+    glFinish();
 }
 
 void FrameTarget::resolve() const {

@@ -7,11 +7,11 @@
 
 namespace knittsim::render {
 
-/// A multisampled framebuffer to draw into and read back. Needs a current context for its whole life.
+/// A framebuffer to draw into and read back. Needs a current context for its whole life.
 class FrameTarget {
 public:
-    /// Four samples a pixel where the driver has them. Errors: KS0404.
-    static Result<std::unique_ptr<FrameTarget>> create(int width, int height);
+    /// `samples` a pixel, or as many as the driver has; 0 draws hard edges. Errors: KS0404.
+    static Result<std::unique_ptr<FrameTarget>> create(int width, int height, int samples = 4);
 
     ~FrameTarget();
     FrameTarget(const FrameTarget&) = delete;
@@ -19,21 +19,27 @@ public:
 
     void bind() const;
 
-    /// Resolves the samples without reading them back; a later bind() draws again.
-    void resolve() const;
+    /// Clears colour and depth, and nothing else: what any picture costs at least.
+    void clear() const;
+
+    /// Resolves the samples without reading them back, and waits until all is drawn. A later bind() draws
+    /// again.
+    void finish() const;
 
     /// What was drawn. Colours that were drawn premultiplied are divided by their alpha.
     Image read() const;
 
-    int samples() const { return m_samples; }
+    int width() const { return m_width; }
+    int height() const { return m_height; }
 
 private:
-    FrameTarget(int width, int height) : m_width(width), m_height(height) {}
+    void resolve() const;
+    FrameTarget(int width, int height, int samples) : m_width(width), m_height(height), m_samples(samples) {}
     bool build();
 
     int m_width;
     int m_height;
-    int m_samples = 0;
+    int m_samples;
     unsigned m_drawn = 0; ///< framebuffers
     unsigned m_resolved = 0;
     unsigned m_buffers[3] = {}; ///< colour and depth of the drawn one, colour of the resolved one

@@ -12,6 +12,7 @@ View viewOf(const RenderRequest& request, const geometry::Bounds& bounds) {
     View view;
     view.width = request.width;
     view.height = request.height;
+    view.quality = Quality::Best;
     view.dark = request.dark;
     view.transparent = request.transparent;
     view.camera.setViewport(request.width, request.height);

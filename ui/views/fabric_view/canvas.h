@@ -5,12 +5,11 @@
 
 #include <QImage>
 #include <QString>
+#include <QWidget>
 
 #include <functional>
 #include <memory>
 #include <vector>
-
-class QWidget;
 
 namespace knittsim::ui {
 
@@ -25,19 +24,25 @@ struct CanvasContent {
     double paintMs = 0; ///< told back by the canvas
 };
 
-/// Something that shows the fabric: OpenGL, or QPainter where there is none.
+/// Something that shows the fabric: OpenGL, software OpenGL on a thread, or QPainter where there is none.
 class Canvas {
 public:
     virtual ~Canvas() = default;
     virtual QWidget* widget() = 0;
-    virtual QString rendererName() const = 0; ///< empty before the first paint or without OpenGL
+    virtual void refresh() { widget()->update(); } ///< the content has changed
+    virtual QString rendererName() const = 0;      ///< empty before the first paint or without OpenGL
     virtual QImage picture() = 0;
 };
 
-/// Null when the platform gives no OpenGL 3.3 context; `reason` then says why. `content` must outlive the
-/// canvas. `failed` is called, from the event loop, when drawing turns out to be impossible later.
+/// Draws with the window system's OpenGL. Null when it offers none, or software only, or less than 3.3;
+/// `reason` then says why. `content` must outlive the canvas. `failed` is called, from the event loop, when
+/// drawing turns out to be impossible later.
 std::unique_ptr<Canvas> makeGlCanvas(QWidget* parent, CanvasContent& content,
                                      std::function<void(QString)> failed, QString& reason);
+
+/// Draws with OpenGL on a thread of its own (software OpenGL is slow) and paints the pictures. Needs no
+/// OpenGL of the window system. Null when there is no OpenGL at all; `reason` then says why.
+std::unique_ptr<Canvas> makeThreadedCanvas(QWidget* parent, CanvasContent& content, QString& reason);
 
 std::unique_ptr<Canvas> makeFlatCanvas(QWidget* parent, CanvasContent& content);
 

@@ -51,7 +51,7 @@ struct FabricView::Implementation {
     bool hasGl = true;
     QString glReason;
     bool fitPending = true; ///< fit as soon as there is a picture
-    bool following = false;   ///< see setFollowing()
+    bool following = false; ///< see setFollowing()
     bool followFit = true;  ///< the person has not moved the camera since the last fit
     bool dragMode = false;
 
@@ -95,8 +95,18 @@ FabricView::FabricView(QWidget* parent) : QWidget(parent), m(std::make_unique<Im
 FabricView::~FabricView() = default;
 
 void FabricView::Implementation::makeCanvas() {
-    canvas = makeGlCanvas(
-        &view, content, [this](const QString& reason) { useFlatCanvas(reason); }, glReason);
+    // For comparing and for machines whose driver misbehaves: window, thread or none.
+    const QByteArray wanted = qgetenv("KNITTSIM_OPENGL");
+    if (wanted.isEmpty() || wanted == "window") {
+        canvas = makeGlCanvas(
+            &view, content, [this](const QString& reason) { useFlatCanvas(reason); }, glReason);
+    }
+    if (!canvas && wanted != "none") {
+        canvas = makeThreadedCanvas(&view, content, glReason);
+    }
+    if (wanted == "none") {
+        glReason = tr("OpenGL is switched off.");
+    }
     if (!canvas) {
         const QString reason = glReason;
         useFlatCanvas(reason);
@@ -147,14 +157,14 @@ void FabricView::Implementation::takePicture() {
 
 void FabricView::Implementation::changed() {
     overlay->setMessage(hasGl ? (content.scene ? QString() : tr("No fabric yet")) : glReason);
-    canvas->widget()->update();
+    canvas->refresh();
 }
 
 void FabricView::Implementation::moveCamera(const std::function<void(render::Camera&)>& move) {
     followFit = false;
     move(content.camera);
     overlay->update();
-    canvas->widget()->update();
+    canvas->refresh();
 }
 
 void FabricView::Implementation::look(render::ViewSide side) {
@@ -174,7 +184,7 @@ std::optional<geometry::Pick> FabricView::Implementation::pickAt(QPointF where) 
 void FabricView::Implementation::hover(int loop) {
     if (loop != content.hovered) {
         content.hovered = loop;
-        canvas->widget()->update();
+        canvas->refresh();
         emit view.loopHovered(loop);
     }
 }
@@ -237,7 +247,7 @@ void FabricView::setLooks(std::vector<render::YarnLook> looks) {
     if (!sameCurves) {
         m->request();
     }
-    m->canvas->widget()->update();
+    m->canvas->refresh();
 }
 
 void FabricView::setStyle(render::DrawStyle style) {
@@ -254,7 +264,7 @@ render::DrawStyle FabricView::style() const {
 void FabricView::setSelection(int loop) {
     if (loop != m->content.selected) {
         m->content.selected = loop;
-        m->canvas->widget()->update();
+        m->canvas->refresh();
     }
 }
 
@@ -318,7 +328,7 @@ void FabricView::zoomBy(double factor) {
 
 void FabricView::setOrthographic(bool on) {
     m->content.camera.setOrthographic(on);
-    m->canvas->widget()->update();
+    m->canvas->refresh();
 }
 
 bool FabricView::isOrthographic() const {
@@ -328,7 +338,7 @@ bool FabricView::isOrthographic() const {
 void FabricView::setDark(bool on) {
     m->content.dark = on;
     m->overlay->update();
-    m->canvas->widget()->update();
+    m->canvas->refresh();
 }
 
 void FabricView::setDragMode(bool on) {

@@ -1,12 +1,15 @@
-#include "core/base/message_table.h"
 #include "ui/views/fabric_view/canvas.h"
+#include "ui/views/fabric_view/reason_text.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QOpenGLWidget>
 #include <QTimer>
+
+#include <algorithm>
 
 namespace knittsim::ui {
 
@@ -25,7 +28,15 @@ QString tr(const char* text) {
     return QCoreApplication::translate("knittsim::ui::FabricView", text);
 }
 
-/// Empty when an OpenGL 3.3 context can be made and used. QOpenGLWidget itself crashes where there is none.
+bool isSoftware(const QString& renderer) {
+    static const QStringList kNames{QStringLiteral("llvmpipe"), QStringLiteral("softpipe"),
+                                    QStringLiteral("swrast"), QStringLiteral("SwiftShader"),
+                                    QStringLiteral("Software")};
+    return std::ranges::any_of(kNames, [&](const QString& name) { return renderer.contains(name); });
+}
+
+/// Empty when a quick OpenGL 3.3 context can be made and used. QOpenGLWidget itself crashes where there is
+/// none.
 QString whyNoContext() {
     QOpenGLContext context;
     context.setFormat(wantedFormat());
@@ -38,21 +49,18 @@ QString whyNoContext() {
     if (!surface.isValid() || !context.makeCurrent(&surface)) {
         return tr("OpenGL cannot be used on this display.");
     }
+    const auto* name = reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));
+    const bool software = isSoftware(QString::fromLatin1(name));
     context.doneCurrent();
+    if (software) {
+        return tr("This display has software OpenGL only.");
+    }
     if (context.format().version() < qMakePair(3, 3)) {
         return tr("OpenGL 3.3 is needed; this display has %1.%2.")
             .arg(context.format().majorVersion())
             .arg(context.format().minorVersion());
     }
     return {};
-}
-
-QString sentences(const Diagnostics& diagnostics) {
-    QString text;
-    for (const Diagnostic& diagnostic : diagnostics) {
-        text += QString::fromStdString(causeText(diagnostic)) + ' ';
-    }
-    return text.trimmed();
 }
 
 } // namespace
@@ -76,7 +84,7 @@ protected:
         connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { release(); });
         auto created = render::FabricRenderer::create();
         if (!created) {
-            giveUp(sentences(created.diagnostics()));
+            giveUp(reasonText(created.diagnostics()));
             return;
         }
         m_renderer = std::move(created.value());

@@ -44,6 +44,10 @@ QColor Overlay::ink() const {
     return m_content.dark ? QColor(235, 237, 240) : QColor(32, 36, 42);
 }
 
+QColor Overlay::ground() const {
+    return m_content.dark ? QColor(20, 22, 25, 215) : QColor(255, 255, 255, 215);
+}
+
 void Overlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -62,10 +66,8 @@ void Overlay::paintBadge(QPainter& painter) const {
     }
     const QSize size = fontMetrics().size(Qt::TextSingleLine, text);
     const QRect box(kMargin, kMargin, size.width() + 20, size.height() + 8);
-    QColor ground = m_content.dark ? QColor(20, 22, 25) : QColor(255, 255, 255);
-    ground.setAlpha(215);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(ground);
+    painter.setBrush(ground());
     painter.drawRoundedRect(box, box.height() / 2.0, box.height() / 2.0);
     painter.setPen(ink());
     painter.drawText(box, Qt::AlignCenter, text);
@@ -119,10 +121,14 @@ void Overlay::paintMessage(QPainter& painter) const {
     if (m_message.isEmpty()) {
         return;
     }
-    painter.setPen(ink());
-    const QRect area = rect().adjusted(2 * kMargin, 2 * kMargin, -2 * kMargin, -2 * kMargin);
+    const QRect area = rect().adjusted(2 * kMargin, kMargin, -kMargin, -kMargin);
     const int where = m_content.scene ? Qt::AlignTop | Qt::AlignRight : Qt::AlignCenter;
-    painter.drawText(area, where | Qt::TextWordWrap, m_message);
+    const QRect text = fontMetrics().boundingRect(area, where | Qt::TextWordWrap, m_message);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ground());
+    painter.drawRoundedRect(text.adjusted(-8, -4, 8, 4), 6, 6);
+    painter.setPen(ink());
+    painter.drawText(text, where | Qt::TextWordWrap, m_message);
 }
 
 } // namespace knittsim::ui

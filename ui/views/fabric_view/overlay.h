@@ -28,6 +28,7 @@ private:
     void paintAxes(QPainter& painter) const;
     void paintMessage(QPainter& painter) const;
     QColor ink() const;
+    QColor ground() const;
 
     const CanvasContent& m_content;
     QString m_message;

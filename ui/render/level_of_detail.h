@@ -1,0 +1,33 @@
+#pragma once
+
+#include "ui/render/fabric_renderer.h"
+
+#include <Eigen/Core>
+
+#include <array>
+
+namespace knittsim::render {
+
+/// How finely a yarn is drawn.
+struct Detail {
+    int sides = 0;   ///< of the tube; 0: a band does, 3: a ridge towards the viewer
+    int stride = 1;  ///< every how many nodes, a power of two up to kMostStride
+    float plies = 0; ///< 0 hidden .. 1 fully shown
+};
+
+/// From a yarn's width on the screen in pixels and the distance of its nodes.
+Detail detailAt(float diameterPixels, float diametersPerSegment, Quality quality);
+
+/// Tests spheres against the four sides of what a camera sees.
+class Frustum {
+public:
+    explicit Frustum(const Camera& camera);
+
+    /// False only when no part of the sphere is in the picture.
+    bool sees(const Vec3f& centre, float radius) const;
+
+private:
+    std::array<Eigen::RowVector4f, 4> m_planes; ///< normal of unit length pointing inwards, distance
+};
+
+} // namespace knittsim::render

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "ui/render/shader_program.h"
+
+namespace knittsim::render {
+
+/// All programs of the renderer.
+struct ShaderSet {
+    std::unique_ptr<ShaderProgram> pliedTube, yarnTube, yarnBand; ///< lit yarn, from near to far
+    std::unique_ptr<ShaderProgram> strokesTube, strokesBand;
+    std::unique_ptr<ShaderProgram> line, marker; ///< bare mesh
+    std::unique_ptr<ShaderProgram> background;
+};
+
+/// Needs a current context. Errors: KS0001, KS0403.
+Result<ShaderSet> loadShaders();
+
+} // namespace knittsim::render
