@@ -115,7 +115,6 @@ void Document::show(const std::shared_ptr<const OpenedFile>& file) {
     emit stepChanged();
     emit selectionChanged();
     emit fabricShown();
-    start();
 }
 
 const Diagnostics& Document::problems() const {

@@ -37,7 +37,8 @@ public:
 
     const yarn::YarnLibrary& library() const { return *m_library; }
 
-    /// Opens in the background. While it works, and when it fails, the present file stays as it is.
+    /// Opens in the background. While it works, and when it fails, the present file stays as it is. The
+    /// simulation waits for start().
     void open(const QString& path);
     void openText(const QString& title, const QString& knitout);
     void cancelOpening();

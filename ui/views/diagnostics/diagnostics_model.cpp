@@ -10,19 +10,6 @@ namespace knittsim::ui {
 
 namespace {
 
-QIcon iconOf(Severity severity) {
-    const Accents accents = accentsOf(QGuiApplication::palette());
-    switch (severity) {
-    case Severity::Error:
-        return icon(QStringLiteral("error"), accents.error);
-    case Severity::Warning:
-        return icon(QStringLiteral("warning"), accents.warning);
-    case Severity::Info:
-        break;
-    }
-    return icon(QStringLiteral("info"), accents.busy);
-}
-
 QString textOf(const Diagnostic& problem, int column) {
     switch (column) {
     case DiagnosticsModel::Kind:
@@ -35,6 +22,19 @@ QString textOf(const Diagnostic& problem, int column) {
 }
 
 } // namespace
+
+QIcon severityIcon(Severity severity) {
+    const Accents accents = accentsOf(QGuiApplication::palette());
+    switch (severity) {
+    case Severity::Error:
+        return icon(QStringLiteral("error"), accents.error);
+    case Severity::Warning:
+        return icon(QStringLiteral("warning"), accents.warning);
+    case Severity::Info:
+        break;
+    }
+    return icon(QStringLiteral("info"), accents.busy);
+}
 
 void DiagnosticsModel::setProblems(const Diagnostics& problems) {
     beginResetModel();
@@ -57,7 +57,7 @@ QVariant DiagnosticsModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
         return textOf(problem, index.column());
     case Qt::DecorationRole:
-        return index.column() == Kind ? QVariant(iconOf(problem.severity)) : QVariant();
+        return index.column() == Kind ? QVariant(severityIcon(problem.severity)) : QVariant();
     default:
         return {};
     }

@@ -4,7 +4,12 @@
 
 #include <QAbstractTableModel>
 
+class QIcon;
+
 namespace knittsim::ui {
+
+/// Sign of a severity in its colour.
+QIcon severityIcon(Severity severity);
 
 /// Problems as a table. Plain copy of what the document found.
 class DiagnosticsModel : public QAbstractTableModel {

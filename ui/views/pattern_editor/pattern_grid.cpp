@@ -19,6 +19,14 @@ using document::GridCell;
 using document::GridPlace;
 using machine::LoopIndex;
 
+namespace {
+
+/// Cell widths when a chart is fitted: symbols stay readable, few cells do not grow into posters.
+constexpr int kLeastFitted = 9;
+constexpr int kLargestFitted = 26;
+
+} // namespace
+
 PatternGrid::PatternGrid(document::Document& document, QWidget* parent)
     : QAbstractScrollArea(parent), m_document(document) {
     setObjectName(QStringLiteral("patternGrid"));
@@ -113,8 +121,9 @@ void PatternGrid::layoutChart() {
 
 void PatternGrid::fitChart() {
     layoutChart();
-    m_chart.cellWidth = m_chart.fittingCell(7, 26);
+    m_chart.cellWidth = m_chart.fittingCell(kLeastFitted, kLargestFitted);
     layoutChart();
+    m_fitted = true;
 }
 
 void PatternGrid::setCellWidth(int width, QPoint fixed) {
@@ -131,6 +140,7 @@ void PatternGrid::setCellWidth(int width, QPoint fixed) {
 }
 
 void PatternGrid::zoomAt(QPoint position, int direction) {
+    m_fitted = false;
     setCellWidth(nextCellWidth(m_chart.cellWidth, direction), position);
 }
 
@@ -204,6 +214,13 @@ void PatternGrid::setHover(LoopIndex loop) {
 }
 
 void PatternGrid::resizeEvent(QResizeEvent*) {
+    if (m_fitted) {
+        const int fromBottom = verticalScrollBar()->maximum() - verticalScrollBar()->value();
+        fitChart();
+        verticalScrollBar()->setValue(verticalScrollBar()->maximum() - fromBottom);
+        return;
+    }
+
     layoutChart();
 }
 

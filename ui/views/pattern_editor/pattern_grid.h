@@ -77,6 +77,7 @@ private:
     machine::LoopIndex m_knitted = 0; ///< loops below this are made at the document's step
     machine::LoopIndex m_hover = -1;
     std::int32_t m_currentCourse = -1; ///< course of the last stitch made at the document's step
+    bool m_fitted = true;              ///< the cell size follows the widget until the user zooms
     QPoint m_pressed;
     QPoint m_scrollAtPress;
     bool m_dragging = false;

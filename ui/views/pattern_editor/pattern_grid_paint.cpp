@@ -5,6 +5,7 @@
 #include <QPainterPath>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace knittsim::ui {
 
@@ -85,9 +86,9 @@ void PatternGrid::paintLines(QPainter& painter) const {
     }
     const bool dark = isDark(palette());
     painter.setRenderHint(QPainter::Antialiasing, false);
-    painter.setPen(QColor(dark ? 255 : 0, dark ? 255 : 0, dark ? 255 : 0, 26));
+    painter.setPen(QColor(dark ? 255 : 0, dark ? 255 : 0, dark ? 255 : 0, m_chart.cellWidth < 12 ? 14 : 26));
     painter.drawLines(thin);
-    painter.setPen(QColor(dark ? 255 : 0, dark ? 255 : 0, dark ? 255 : 0, 78));
+    painter.setPen(QColor(dark ? 255 : 0, dark ? 255 : 0, dark ? 255 : 0, m_chart.cellWidth < 12 ? 46 : 70));
     painter.drawLines(strong);
 }
 
@@ -172,10 +173,14 @@ void PatternGrid::paintHeaders(QPainter& painter) const {
     painter.save();
     painter.setClipRect(QRect(0, 0, m_chart.header.width() - 1, area.height()));
     const auto courses = m_chart.visibleCourses();
+    const auto near = [&](std::int32_t course, std::int32_t other) {
+        return other >= 0 && std::abs(course - other) * m_chart.cellHeight() < metrics.height();
+    };
     const int rowStep = labelStep(m_chart.cellHeight(), metrics.height() + 2);
     for (std::int32_t course = courses.first; course < courses.end; ++course) {
         const bool strong = course == selected.course || course == m_currentCourse;
-        if (strong || (course + 1) % rowStep == 0) {
+        const bool covered = !strong && (near(course, selected.course) || near(course, m_currentCourse));
+        if (strong || (!covered && (course + 1) % rowStep == 0)) {
             const QRect cell = m_chart.cellRect(course, 0);
             const QRect rect(0, cell.center().y() - metrics.height() / 2, m_chart.header.width() - 6,
                              metrics.height());
@@ -190,7 +195,9 @@ void PatternGrid::paintHeaders(QPainter& painter) const {
     const int columnStep = labelStep(m_chart.cellWidth, digits);
     for (std::int32_t column = columns.first; column < columns.end; ++column) {
         const bool strong = selected.course >= 0 && column + origin == selected.column;
-        if (strong || (column + origin) % columnStep == 0) {
+        const bool covered = !strong && selected.course >= 0 &&
+                             std::abs(column + origin - selected.column) * m_chart.cellWidth < digits;
+        if (strong || (!covered && (column + origin) % columnStep == 0)) {
             const QRect cell = m_chart.cellRect(0, column);
             const QRect rect(cell.center().x() - digits / 2, area.bottom() + 3, digits,
                              m_chart.header.height() - 3);

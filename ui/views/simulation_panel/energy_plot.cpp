@@ -35,9 +35,9 @@ struct EnergyPlot::Curve {
 EnergyPlot::EnergyPlot(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("energyPlot"));
     setAccessibleName(tr("Energies and residual"));
-    setToolTip(
-        tr("Kinetic energy E, spring energy V, Lagrangian L = E \u2212 V, and the residual: the norm of the "
-           "forces relative to the start"));
+    setToolTip(tr("Kinetic energy Ekin, spring energy V, Lagrangian L = Ekin \u2212 V, and the residual: the "
+                  "norm of the "
+                  "forces relative to the start"));
     QFont small = font();
     small.setPointSizeF(std::max(7.0, small.pointSizeF() * 0.85));
     setFont(small);
@@ -105,7 +105,7 @@ void EnergyPlot::paintLegend(QPainter& painter, const QRect& rect, const std::ve
 void EnergyPlot::paintEnergies(QPainter& painter, const QRect& rect) const {
     const simulation::Energies& now = m_history.samples().back().energies;
     const Accents accents = accentsOf(palette());
-    const std::vector<Curve> curves{{tr("E"), energyText(now.kinetic), accents.warning, Qt::SolidLine,
+    const std::vector<Curve> curves{{tr("Ekin"), energyText(now.kinetic), accents.warning, Qt::SolidLine,
                                      [](const EnergySample& s) { return s.energies.kinetic; }},
                                     {tr("V"), energyText(now.potential), accents.busy, Qt::SolidLine,
                                      [](const EnergySample& s) { return s.energies.potential; }},

@@ -70,22 +70,19 @@ void SimulationPanel::build() {
     m_numbers->setObjectName(QStringLiteral("simulationNumbers"));
     m_plot = new EnergyPlot(this);
 
-    auto* state = new QHBoxLayout;
-    state->setSpacing(7);
-    state->addWidget(m_dot, 0, Qt::AlignTop);
-    state->addWidget(m_state, 1);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(3);
     for (QToolButton* button : {m_run, m_step, m_restart, m_stop}) {
         buttons->addWidget(button);
     }
-    buttons->addSpacing(5);
-    buttons->addWidget(m_integrator, 1);
+    buttons->addSpacing(6);
+    buttons->addWidget(m_dot);
+    buttons->addWidget(m_state, 1);
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(8, 8, 8, 8);
     rows->setSpacing(6);
     rows->addLayout(buttons);
-    rows->addLayout(state);
+    rows->addWidget(m_integrator);
     rows->addWidget(m_plot, 1);
     rows->addWidget(m_numbers);
 
@@ -115,6 +112,7 @@ void SimulationPanel::takeActivity() {
     m_run->setToolTip(QStringLiteral("%1 (F5)").arg(run));
     m_run->setAccessibleName(run);
     m_state->setText(activityText(m_document));
+    m_state->setToolTip(m_state->text());
     QPixmap dot(m_dot->size() * devicePixelRatioF());
     dot.setDevicePixelRatio(devicePixelRatioF());
     dot.fill(Qt::transparent);

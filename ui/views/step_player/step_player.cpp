@@ -92,6 +92,7 @@ void StepPlayer::build() {
     m_words->setObjectName(QStringLiteral("stepWords"));
     m_count = new QLabel(this);
     m_count->setObjectName(QStringLiteral("stepCount"));
+    m_count->setToolTip(tr("Operations carried out, and operations of the program"));
 
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(1);
@@ -133,6 +134,13 @@ void StepPlayer::changeSpeed(int direction) {
     showSpeed();
 }
 
+void StepPlayer::setLargeWords(bool on) {
+    QFont face = font();
+    face.setPointSizeF(face.pointSizeF() * (on ? 1.8 : 1.0));
+    face.setBold(on);
+    m_words->setFont(face);
+}
+
 void StepPlayer::takeFile() {
     setPlaying(false);
     setEnabled(m_document.file() != nullptr);
@@ -163,7 +171,7 @@ void StepPlayer::takeStep() {
     }
     m_words->setText(words);
     m_words->setToolTip(words);
-    m_count->setText(tr("%1 of %2 operations").arg(countText(step), countText(m_document.operationCount())));
+    m_count->setText(tr("%1 / %2").arg(countText(step), countText(m_document.operationCount())));
 }
 
 void StepPlayer::setPlaying(bool on) {

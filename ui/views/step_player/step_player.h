@@ -26,6 +26,9 @@ public:
     void togglePlaying() { setPlaying(!isPlaying()); }
     void changeSpeed(int direction);
 
+    /// For a class room: the operation in words can be read from the last row.
+    void setLargeWords(bool on);
+
 signals:
     void playingChanged(bool on);
 

@@ -16,8 +16,27 @@ namespace {
 constexpr int kMargin = 8;
 constexpr int kSwatchWidth = 34;
 
+/// The list that has the keys shows its row in full colour, the others quietly.
+bool isStrong(const QStyleOptionViewItem& option) {
+    return (option.state & QStyle::State_Selected) && option.widget->hasFocus();
+}
+
 QColor ofState(const QStyleOptionViewItem& option, const QColor& plain) {
-    return option.state & QStyle::State_Selected ? option.palette.color(QPalette::HighlightedText) : plain;
+    return isStrong(option) ? option.palette.color(QPalette::HighlightedText) : plain;
+}
+
+void paintGround(QPainter& painter, const QStyleOptionViewItem& option) {
+    QColor ground = option.palette.color(QPalette::Highlight);
+    if (option.state & QStyle::State_Selected) {
+        ground.setAlphaF(isStrong(option) ? 1.0F : 0.16F);
+    } else if (option.state & QStyle::State_MouseOver) {
+        ground.setAlphaF(0.07F);
+    } else {
+        return;
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ground);
+    painter.drawRoundedRect(QRectF(option.rect).adjusted(2, 1, -2, -1), 4, 4);
 }
 
 int paintBadge(QPainter& painter, const QStyleOptionViewItem& option, const QString& text, int left) {
@@ -65,10 +84,9 @@ void YarnDelegate::paint(QPainter* painter, const QStyleOptionViewItem& item,
                          const QModelIndex& index) const {
     QStyleOptionViewItem option = item;
     initStyleOption(&option, index);
-    option.text.clear();
-    option.widget->style()->drawPrimitive(QStyle::PE_PanelItemViewItem, &option, painter, option.widget);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
+    paintGround(*painter, option);
     int left = option.rect.left() + kMargin;
     if (const QString badge = index.data(BadgeRole).toString(); !badge.isEmpty()) {
         left = paintBadge(*painter, option, badge, left);

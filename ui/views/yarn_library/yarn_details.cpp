@@ -20,24 +20,23 @@ QString row(const yarn::Yarn& yarn, const char* key, const QString& name, const 
             const QString& faint) {
     const auto source = yarn.sources.find(key);
     QString html =
-        QStringLiteral("<tr><td style='padding-top:5px'>%1</td><td align='right' style='padding-top:5px'>"
-                       "<b>%2</b></td></tr>")
+        QStringLiteral("<table width='100%' cellspacing='0' cellpadding='0' style='margin-top:5px'><tr>"
+                       "<td>%1</td><td align='right'><b>%2</b></td></tr></table>")
             .arg(name, value);
     if (source != yarn.sources.end()) {
-        html += QStringLiteral("<tr><td colspan='2' style='color:%1'><small>%2</small></td></tr>")
+        html += QStringLiteral("<div style='color:%1'><small>%2</small></div>")
                     .arg(faint, QString::fromStdString(source->second).toHtmlEscaped());
     }
     return html;
 }
 
-QString surfaceText(const yarn::Surface& surface) {
+QString twistText(const yarn::Surface& surface) {
     const QString turns =
         surface.twistPerMetre == 0
             ? tr("no twist")
-            : tr("%1 turns/m %2")
-                  .arg(shortNumber(std::abs(surface.twistPerMetre)),
-                       surface.twistPerMetre > 0 ? QStringLiteral("S") : QStringLiteral("Z"));
-    return tr("%1, %2 plies, %3").arg(QString::fromStdString(surface.kind)).arg(surface.plies).arg(turns);
+            : tr("%1/m %2").arg(shortNumber(std::abs(surface.twistPerMetre)),
+                                surface.twistPerMetre > 0 ? QStringLiteral("S") : QStringLiteral("Z"));
+    return tr("%1, %2").arg(surface.plies).arg(turns);
 }
 
 QString colourName(const yarn::Colour& colour) {
@@ -48,26 +47,25 @@ QString colourName(const yarn::Colour& colour) {
 
 QString yarnDetails(const yarn::Yarn& yarn, const QPalette& palette) {
     const QString faint = accentsOf(palette).faintText.name();
-    const QString count = tr("%1 tex \u00b7 Nm %2 \u00b7 Ne %3")
-                              .arg(shortNumber(yarn.tex), shortNumber(yarn.nm()), shortNumber(yarn.ne()));
     const QString mm = QStringLiteral("%1 mm");
-    QString html = QStringLiteral("<p style='margin:0'><b>%1</b><br><span style='color:%2'>%3</span></p>"
-                                  "<table width='100%' cellspacing='0' cellpadding='0'>")
+    QString html = QStringLiteral("<p style='margin:0'><b>%1</b><br><span style='color:%2'>%3</span></p>")
                        .arg(QString::fromStdString(yarn.name).toHtmlEscaped(), faint,
                             QString::fromStdString(yarn.count + " \u00b7 " + yarn.fibre).toHtmlEscaped());
-    html += row(yarn, "count", tr("Linear density"), count, faint);
+    html += row(yarn, "count", tr("Linear density"), tr("%1 tex").arg(shortNumber(yarn.tex)), faint);
+    html += row(yarn, "", tr("Count"),
+                tr("Nm %1 \u00b7 Ne %2").arg(shortNumber(yarn.nm()), shortNumber(yarn.ne())), faint);
     html += row(yarn, "outer_diameter_mm", tr("Outer diameter"), mm.arg(shortNumber(yarn.outerDiameterMm)),
                 faint);
     html +=
         row(yarn, "core_diameter_mm", tr("Core diameter"), mm.arg(shortNumber(yarn.coreDiameterMm)), faint);
-    html += row(yarn, "axial_stiffness_n", tr("Stretching stiffness EA"),
+    html += row(yarn, "axial_stiffness_n", tr("EA, stretching"),
                 QStringLiteral("%1 N").arg(shortNumber(yarn.axialStiffnessMilliNewton / 1000)), faint);
-    html += row(yarn, "bending_stiffness_n_m2", tr("Bending stiffness EI"),
+    html += row(yarn, "bending_stiffness_n_m2", tr("EI, bending"),
                 QStringLiteral("%1 mN\u00b7mm\u00b2").arg(shortNumber(yarn.bendingStiffness)), faint);
-    html += row(yarn, "friction", tr("Friction, yarn on yarn"), shortNumber(yarn.friction), faint);
+    html += row(yarn, "friction", tr("Friction"), shortNumber(yarn.friction), faint);
     html += row(yarn, "colour", tr("Colour"), colourName(yarn.colour), faint);
-    html += row(yarn, "surface", tr("Surface"), surfaceText(yarn.surface), faint);
-    html += QStringLiteral("</table>");
+    html += row(yarn, "surface", tr("Surface"), QString::fromStdString(yarn.surface.kind), faint);
+    html += row(yarn, "", tr("Plies and twist"), twistText(yarn.surface), faint);
     if (!yarn.note.empty()) {
         html += QStringLiteral("<p style='color:%1'>%2</p>")
                     .arg(faint, QString::fromStdString(yarn.note).toHtmlEscaped());

@@ -1,0 +1,164 @@
+#include "app/gui/screenshot.h"
+#include "ui/views/style/appearance.h"
+#include "ui/window/key_guard.h"
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QIcon>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QSurfaceFormat>
+#include <QTranslator>
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace {
+
+using namespace knittsim;
+
+struct Options {
+    QStringList files;
+    QString sample;
+    QString screenshot;
+    double wait = 20;
+    int step = -1;
+    std::optional<ui::Layout> layout;
+    std::optional<document::Appearance> appearance;
+};
+
+std::optional<ui::Layout> layoutNamed(const QString& name) {
+    return name == QLatin1String("standard")   ? std::optional(ui::Layout::Standard)
+           : name == QLatin1String("teaching") ? std::optional(ui::Layout::Teaching)
+           : name == QLatin1String("checking") ? std::optional(ui::Layout::Checking)
+                                               : std::nullopt;
+}
+
+std::optional<document::Appearance> appearanceNamed(const QString& name) {
+    return name == QLatin1String("system")  ? std::optional(document::Appearance::System)
+           : name == QLatin1String("light") ? std::optional(document::Appearance::Light)
+           : name == QLatin1String("dark")  ? std::optional(document::Appearance::Dark)
+                                            : std::nullopt;
+}
+
+/// Empty when the command line cannot be used; what is wrong has been said then.
+std::optional<Options> parse(QApplication& application) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QApplication::translate(
+        "main", "Turns knitting-machine programs into fabrics that settle while you watch."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    const QCommandLineOption sample("sample", "Opens one of the samples, for example cable-braid.", "ID");
+    const QCommandLineOption step("step", "Shows the machine after this many operations.", "N");
+    const QCommandLineOption layout("layout", "Arrangement of the panels: standard, teaching or checking.",
+                                    "NAME");
+    const QCommandLineOption look("appearance", "Colours for this run: system, light or dark.", "NAME");
+    const QCommandLineOption reset("reset-settings", "Forgets all settings first.");
+    const QCommandLineOption software("software-gl", "Draws without a graphics card.");
+    const QCommandLineOption shot(
+        "screenshot", "Saves a picture of the window when the fabric is at rest, and ends.", "FILE");
+    const QCommandLineOption wait("screenshot-after", "Does so after this time at the latest (20).",
+                                  "SECONDS");
+    parser.addOptions({sample, step, layout, look, reset, software, shot, wait});
+    parser.addPositionalArgument("files", "Machine programs to open.", "[FILE...]");
+    parser.process(application);
+    if (parser.isSet(reset)) {
+        document::Session().clear();
+    }
+    Options options;
+    options.files = parser.positionalArguments();
+    options.sample = parser.value(sample);
+    options.screenshot = parser.value(shot);
+    bool understood = true;
+    if (parser.isSet(wait)) {
+        options.wait = parser.value(wait).toDouble(&understood);
+    }
+    if (understood && parser.isSet(step)) {
+        options.step = parser.value(step).toInt(&understood);
+    }
+    options.layout = layoutNamed(parser.value(layout));
+    options.appearance = appearanceNamed(parser.value(look));
+    if (!understood || (parser.isSet(layout) && !options.layout) ||
+        (parser.isSet(look) && !options.appearance)) {
+        std::fputs("knittsim: an option has a value it cannot have; see knittsim --help\n", stderr);
+        return std::nullopt;
+    }
+    return options;
+}
+
+void setUpOpenGl(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        if (qstrcmp(argv[i], "--software-gl") == 0) {
+            qputenv("LIBGL_ALWAYS_SOFTWARE", "1");
+            QCoreApplication::setAttribute(Qt::AA_UseSoftwareOpenGL);
+        }
+    }
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format);
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+}
+
+void loadTranslations(QApplication& application) {
+    auto* ofQt = new QTranslator(&application);
+    if (ofQt->load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"),
+                   QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
+        QCoreApplication::installTranslator(ofQt);
+    }
+    auto* own = new QTranslator(&application);
+    if (own->load(QLocale(), QStringLiteral("knittsim"), QStringLiteral("_"), QStringLiteral(":/i18n"))) {
+        QCoreApplication::installTranslator(own);
+    }
+}
+
+/// One window for each file; one with the gallery when there is none.
+std::vector<std::unique_ptr<ui::MainWindow>> openWindows(const Options& options) {
+    std::vector<std::unique_ptr<ui::MainWindow>> windows;
+    const auto count = std::max<qsizetype>(1, options.files.size());
+    for (qsizetype i = 0; i < count; ++i) {
+        windows.push_back(std::make_unique<ui::MainWindow>());
+        ui::MainWindow& window = *windows.back();
+        if (options.layout) {
+            window.applyLayout(*options.layout);
+        }
+        if (options.step >= 0) {
+            QObject::connect(&window.document(), &document::Document::opened, &window,
+                             [&window, step = options.step] { window.document().setStep(step); });
+        }
+        window.show();
+        if (i < options.files.size()) {
+            window.openFile(options.files[i]);
+        } else if (!options.sample.isEmpty()) {
+            window.openSample(options.sample);
+        }
+    }
+    return windows;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    setUpOpenGl(argc, argv);
+    QApplication application(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("KnittSim"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(KNITTSIM_VERSION));
+    QGuiApplication::setDesktopFileName(QStringLiteral("io.github.knittsim.KnittSim"));
+    loadTranslations(application);
+    const std::optional<Options> options = parse(application);
+    if (!options) {
+        return 2;
+    }
+    ui::applyAppearance(application, options->appearance.value_or(document::Session().appearance()));
+    ui::KeyGuard guard;
+    application.installEventFilter(&guard);
+    const auto windows = openWindows(*options);
+    if (!options->screenshot.isEmpty()) {
+        app::takeScreenshot(*windows.front(), options->screenshot, options->wait);
+    }
+    return QApplication::exec();
+}

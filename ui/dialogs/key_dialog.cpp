@@ -1,0 +1,74 @@
+#include "ui/dialogs/key_dialog.h"
+
+#include <QAction>
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace knittsim::ui {
+
+namespace {
+
+QString plain(QString text) {
+    return text.remove(u'&').remove(QChar(0x2026));
+}
+
+QTreeWidgetItem* addGroup(QTreeWidget* list, const QString& title) {
+    auto* group = new QTreeWidgetItem(list, {title});
+    QFont bold = list->font();
+    bold.setBold(true);
+    group->setFont(0, bold);
+    group->setFlags(Qt::ItemIsEnabled);
+    return group;
+}
+
+void addMouse(QTreeWidget* list) {
+    QTreeWidgetItem* group = addGroup(list, KeyDialog::tr("Mouse"));
+    const std::initializer_list<std::pair<QString, QString>> uses{
+        {KeyDialog::tr("Turn the fabric"), KeyDialog::tr("left drag")},
+        {KeyDialog::tr("Move the fabric"), KeyDialog::tr("middle drag, or Shift and left drag")},
+        {KeyDialog::tr("Zoom at the cursor"), KeyDialog::tr("wheel; in the pattern grid Ctrl and wheel")},
+        {KeyDialog::tr("Select a stitch"), KeyDialog::tr("click in fabric, grid or source")},
+        {KeyDialog::tr("Pull the yarn"), KeyDialog::tr("Ctrl and left drag on yarn")},
+        {KeyDialog::tr("Put a yarn on a carrier"), KeyDialog::tr("drag, or double click in the library")}};
+    for (const auto& [what, how] : uses) {
+        new QTreeWidgetItem(group, {what, how});
+    }
+}
+
+} // namespace
+
+KeyDialog::KeyDialog(const QMenuBar* menus, QWidget* parent) : QDialog(parent) {
+    setObjectName(QStringLiteral("keyDialog"));
+    setWindowTitle(tr("Keys"));
+    auto* list = new QTreeWidget(this);
+    list->setColumnCount(2);
+    list->setHeaderLabels({tr("What"), tr("Key")});
+    list->setRootIsDecorated(false);
+    list->setAlternatingRowColors(true);
+    for (const QAction* entry : menus->actions()) {
+        QTreeWidgetItem* group = nullptr;
+        for (const QAction* action : entry->menu() ? entry->menu()->actions() : QList<QAction*>()) {
+            if (action->shortcut().isEmpty()) {
+                continue;
+            }
+            group = group ? group : addGroup(list, plain(entry->text()));
+            new QTreeWidgetItem(
+                group, {plain(action->text()), action->shortcut().toString(QKeySequence::NativeText)});
+        }
+    }
+    addMouse(list);
+    list->expandAll();
+    list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* rows = new QVBoxLayout(this);
+    rows->addWidget(list, 1);
+    rows->addWidget(buttons);
+    resize(520, 560);
+}
+
+} // namespace knittsim::ui

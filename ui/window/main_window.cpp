@@ -1,0 +1,321 @@
+#include "ui/window/main_window.h"
+
+#include "core/pattern/samples.h"
+#include "ui/document/message_text.h"
+#include "ui/views/diagnostics/diagnostics_list.h"
+#include "ui/views/fabric_view/fabric_view.h"
+#include "ui/views/pattern_editor/pattern_grid.h"
+#include "ui/views/source/source_view.h"
+#include "ui/views/step_player/step_player.h"
+#include "ui/views/style/appearance.h"
+#include "ui/views/style/icons.h"
+#include "ui/window/banner.h"
+#include "ui/window/gallery.h"
+#include "ui/window/opening_card.h"
+#include "ui/window/sample_card.h"
+#include "ui/window/status_line.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMimeData>
+#include <QPointer>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QThreadPool>
+#include <QTimer>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+namespace knittsim::ui {
+
+namespace {
+
+constexpr int kSettleDelayMs = 350;
+
+std::vector<render::YarnLook> looksOf(const std::vector<document::CarrierYarn>& carriers) {
+    std::vector<render::YarnLook> looks;
+    looks.reserve(carriers.size());
+    for (const document::CarrierYarn& carrier : carriers) {
+        looks.push_back(render::lookOf(carrier.yarn));
+    }
+    return looks;
+}
+
+QString firstLocalFile(const QMimeData* data) {
+    for (const QUrl& url : data->urls()) {
+        if (url.isLocalFile()) {
+            return url.toLocalFile();
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+    setObjectName(QStringLiteral("mainWindow"));
+    setWindowTitle(tr("KnittSim"));
+    setWindowIcon(applicationIcon());
+    setAcceptDrops(true);
+    setDockOptions(AllowTabbedDocks | AllowNestedDocks | GroupedDragging);
+    buildCentre();
+    buildDocks();
+    buildActions();
+    connectDocument();
+    connectFabric();
+    restoreSession();
+    takeRecentFiles();
+    takeActions();
+    showGallery();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildCentre() {
+    auto* centre = new QWidget(this);
+    m_banner = new Banner(centre);
+    m_pages = new QStackedWidget(centre);
+    m_gallery = new Gallery(m_pages);
+    m_workspace = new QWidget(m_pages);
+    m_fabric = new FabricView(m_workspace);
+    m_fabric->setObjectName(QStringLiteral("fabricView"));
+    m_fabric->setDark(isDark(palette()));
+    m_player = new StepPlayer(m_document, m_workspace);
+    auto* work = new QVBoxLayout(m_workspace);
+    work->setContentsMargins(0, 0, 0, 0);
+    work->setSpacing(0);
+    work->addWidget(m_fabric, 1);
+    work->addWidget(m_player);
+    m_pages->addWidget(m_gallery);
+    m_pages->addWidget(m_workspace);
+    auto* rows = new QVBoxLayout(centre);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
+    rows->addWidget(m_banner);
+    rows->addWidget(m_pages, 1);
+    setCentralWidget(centre);
+    new OpeningCard(m_document, centre);
+    m_status = new StatusLine(m_document, this);
+    statusBar()->addPermanentWidget(m_status, 1);
+    connect(m_gallery, &Gallery::sampleChosen, this, &MainWindow::openSample);
+    connect(m_gallery, &Gallery::fileChosen, this, &MainWindow::openFile);
+    connect(m_gallery, &Gallery::openWanted, this, &MainWindow::chooseFile);
+}
+
+void MainWindow::connectDocument() {
+    using document::Document;
+    connect(&m_document, &Document::opened, this, &MainWindow::takeFile);
+    connect(&m_document, &Document::openFailed, this, &MainWindow::takeFailure);
+    connect(&m_document, &Document::problemsChanged, this, &MainWindow::takeProblems);
+    connect(&m_document, &Document::fabricShown, this, &MainWindow::takeFabric);
+    connect(&m_document, &Document::activityChanged, this, &MainWindow::takeActions);
+    connect(m_problems, &DiagnosticsList::placeWanted, this, &MainWindow::showPlace);
+    connect(m_banner, &Banner::actionWanted, this, [this] {
+        m_problemDock->show();
+        m_problemDock->raise();
+        m_problems->walk(+1);
+    });
+}
+
+void MainWindow::connectFabric() {
+    using document::Document;
+    connect(&m_document, &Document::frameShown, this, [this] {
+        m_fabric->setFollowing(m_document.step() == m_document.operationCount());
+        m_fabric->setFrame(m_document.shownFrame());
+        m_status->setRenderer(m_fabric->hasOpenGl() ? m_fabric->rendererName() : tr("Qt, flat"));
+    });
+    connect(&m_document, &Document::yarnsChanged, this,
+            [this] { m_fabric->setLooks(looksOf(m_document.carriers())); });
+    connect(&m_document, &Document::selectionChanged, this, [this] {
+        const auto fabric = m_document.shownFabric();
+        const int loop = m_document.selection().loop;
+        m_fabric->setSelection(fabric && loop < static_cast<int>(fabric->loops.size()) ? loop : -1);
+    });
+    connect(m_fabric, &FabricView::loopClicked, &m_document, &Document::selectLoop);
+    connect(m_fabric, &FabricView::loopHovered, m_status, &StatusLine::setHoveredLoop);
+    connect(m_grid, &PatternGrid::loopHovered, m_status, &StatusLine::setHoveredLoop);
+    connect(m_fabric, &FabricView::dragMoved, &m_document, [this](int entry, QVector3D point) {
+        m_document.drag(entry, {point.x(), point.y(), point.z()});
+    });
+    connect(m_fabric, &FabricView::dragEnded, &m_document, &Document::releaseDrag);
+    connect(m_fabric, &FabricView::glFailed, this,
+            [this](const QString& reason) { m_banner->showMessage(Banner::Kind::Note, reason); });
+}
+
+void MainWindow::openFile(const QString& path) {
+    m_session.setLastFolder(QFileInfo(path).absolutePath());
+    m_document.open(path);
+}
+
+void MainWindow::openSample(const QString& id) {
+    for (const pattern::Sample& sample : pattern::samples()) {
+        if (QString::fromStdString(sample.id) == id) {
+            m_document.openText(sampleTitle(sample), QString::fromStdString(pattern::sampleText(sample.id)));
+        }
+    }
+}
+
+void MainWindow::takeFile() {
+    const document::OpenRequest& request = m_document.file()->request;
+    setWindowFilePath(request.path);
+    setWindowTitle(tr("%1 \u2013 KnittSim").arg(request.title));
+    if (!request.path.isEmpty()) {
+        m_session.addRecentFile(request.path);
+        takeRecentFiles();
+    }
+    m_banner->hide();
+    m_fabric->setFabric(nullptr, {}); // an empty view fits the next fabric
+    showWorkspace();
+    takeActions();
+    startSoon();
+}
+
+void MainWindow::startSoon() {
+    // The eye needs to see the fabric as the machine leaves it, else a small one is at rest before the first
+    // picture.
+    QTimer::singleShot(kSettleDelayMs, this, [this, generation = m_document.generation()] {
+        if (generation == m_document.generation()) {
+            m_document.start();
+        }
+    });
+}
+
+void MainWindow::takeFailure() {
+    const auto failed = m_document.failedFile();
+    const Diagnostics& problems = failed->diagnostics;
+    QString text = tr("%1 could not be opened.").arg(failed->request.title);
+    if (!problems.empty()) {
+        text += u' ' + document::causeText(problems.front());
+    }
+    if (m_document.file()) {
+        text += u' ' + tr("%1 stays open.").arg(m_document.file()->request.title);
+    }
+    m_banner->showMessage(Banner::Kind::Error, text,
+                          problems.empty() || problems.front().place.line < 0 ? QString()
+                                                                              : tr("Show the place"));
+}
+
+void MainWindow::takeFabric() {
+    m_fabric->setFabric(m_document.shownFabric(), looksOf(m_document.carriers()));
+    if (const auto frame = m_document.shownFrame()) {
+        m_fabric->setFrame(frame);
+    }
+    const int loop = m_document.selection().loop;
+    const auto fabric = m_document.shownFabric();
+    m_fabric->setSelection(fabric && loop < static_cast<int>(fabric->loops.size()) ? loop : -1);
+}
+
+void MainWindow::takeProblems() {
+    const std::size_t count = m_document.problems().size();
+    m_problemDock->setVisible(count > 0);
+    m_problemDock->setWindowTitle(count > 0 ? tr("Problems (%1)").arg(count) : tr("Problems"));
+    takeActions();
+}
+
+void MainWindow::showPlace(const Diagnostic& problem) {
+    if (problem.place.line > 0) {
+        m_sourceDock->show();
+        m_sourceDock->raise();
+        m_source->showProblemLine(problem.place.line);
+    }
+    if (!m_document.failedFile() && problem.place.operation >= 0) {
+        m_document.selectOperation(problem.place.operation);
+    }
+}
+
+void MainWindow::showWorkspace() {
+    if (m_pages->currentWidget() == m_workspace) {
+        return;
+    }
+    m_pages->setCurrentWidget(m_workspace);
+    if (m_arrangement.isEmpty() || !restoreState(m_arrangement)) {
+        arrange(m_layout);
+    }
+    m_toolBar->show();
+    m_status->show();
+    m_fabric->setFocus();
+}
+
+void MainWindow::showGallery() {
+    if (m_pages->currentWidget() == m_workspace) {
+        m_arrangement = saveState();
+    }
+    m_pages->setCurrentWidget(m_gallery);
+    for (QDockWidget* dock : {m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock, m_problemDock}) {
+        dock->hide();
+    }
+    m_toolBar->hide();
+    m_status->hide();
+    m_gallery->setRecentFiles(m_session.recentFiles());
+}
+
+QString MainWindow::openFilter() {
+    return tr("Machine programs (*.k *.knitout);;All files (*)");
+}
+
+void MainWindow::chooseFile() {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open a machine program"),
+                                                      m_session.lastFolder(), openFilter());
+    if (!path.isEmpty()) {
+        openFile(path);
+    }
+}
+
+void MainWindow::exportPicture() {
+    const QString start = m_session.lastFolder() + u'/' +
+                          QFileInfo(m_document.file()->request.title).baseName() + QStringLiteral(".png");
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Export the picture"), start, tr("Pictures (*.png)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    m_session.setLastFolder(QFileInfo(path).absolutePath());
+    QThreadPool::globalInstance()->start(
+        [picture = m_fabric->picture(), path, window = QPointer<MainWindow>(this)] {
+            const bool saved = picture.save(path);
+            QMetaObject::invokeMethod(qApp, [saved, path, window] {
+                if (window && !saved) {
+                    window->m_banner->showMessage(Banner::Kind::Error,
+                                                  tr("The picture cannot be written to %1.").arg(path));
+                } else if (window) {
+                    window->statusBar()->showMessage(tr("Picture written to %1").arg(path), 5000);
+                }
+            });
+        });
+}
+
+void MainWindow::setAppearance(document::Appearance appearance) {
+    m_session.setAppearance(appearance);
+    applyAppearance(*qApp, appearance);
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange && m_fabric) {
+        m_fabric->setDark(isDark(palette()));
+    }
+    QMainWindow::changeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!firstLocalFile(event->mimeData()).isEmpty()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    if (const QString path = firstLocalFile(event->mimeData()); !path.isEmpty()) {
+        event->acceptProposedAction();
+        openFile(path);
+    }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    saveSession();
+    QMainWindow::closeEvent(event);
+}
+
+} // namespace knittsim::ui

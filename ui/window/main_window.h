@@ -1,0 +1,123 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/document/session.h"
+
+#include <QMainWindow>
+
+#include <functional>
+
+class QActionGroup;
+class QMenu;
+class QStackedWidget;
+class QToolButton;
+
+namespace knittsim::ui {
+
+class Banner;
+class DiagnosticsList;
+class FabricView;
+class Gallery;
+class PatternGrid;
+class SimulationPanel;
+class SourceView;
+class StatusLine;
+class StepPlayer;
+class YarnPanel;
+
+/// Arrangements of the panels for different work.
+enum class Layout { Standard, Teaching, Checking };
+
+/// One window with one document.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    document::Document& document() { return m_document; }
+
+    void openFile(const QString& path);
+    void openSample(const QString& id);
+    void applyLayout(Layout layout);
+
+    static QString openFilter();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    // main_window.cpp
+    void buildCentre();
+    void connectDocument();
+    void connectFabric();
+    void takeFile();
+    void takeFailure();
+    void startSoon();
+    void takeFabric();
+    void takeProblems();
+    void showPlace(const Diagnostic& problem);
+    void showWorkspace();
+    void showGallery();
+    void chooseFile();
+    void exportPicture();
+    void setAppearance(document::Appearance appearance);
+
+    // main_window_actions.cpp
+    QAction* addAction(QMenu* menu, const QString& name, const QString& text, const QKeySequence& keys,
+                       const QString& iconName, const std::function<void()>& action);
+    QAction* addChoice(QMenu* menu, QActionGroup* group, const QString& name, const QString& text,
+                       const QKeySequence& keys, const QString& iconName,
+                       const std::function<void()>& action);
+    void buildActions();
+    void buildFileMenu();
+    void buildEditMenu();
+    void buildViewMenu();
+    void buildMachineMenu();
+    void buildSimulateMenu();
+    void buildWindowMenu();
+    void buildHelpMenu();
+    void buildToolBar();
+    void takeRecentFiles();
+    void takeActions();
+
+    // main_window_docks.cpp
+    void buildDocks();
+    QDockWidget* addDock(const QString& name, const QString& title, QWidget* content,
+                         Qt::DockWidgetArea area);
+    void arrange(Layout layout);
+    void takeTitleBars();
+    void restoreSession();
+    void saveSession();
+
+    document::Document m_document;
+    document::Session m_session;
+    QWidget* m_workspace = nullptr;
+    QStackedWidget* m_pages = nullptr;
+    Gallery* m_gallery = nullptr;
+    Banner* m_banner = nullptr;
+    FabricView* m_fabric = nullptr;
+    StepPlayer* m_player = nullptr;
+    PatternGrid* m_grid = nullptr;
+    SourceView* m_source = nullptr;
+    YarnPanel* m_yarns = nullptr;
+    SimulationPanel* m_simulation = nullptr;
+    DiagnosticsList* m_problems = nullptr;
+    StatusLine* m_status = nullptr;
+    QDockWidget* m_gridDock = nullptr;
+    QDockWidget* m_sourceDock = nullptr;
+    QDockWidget* m_yarnDock = nullptr;
+    QDockWidget* m_simulationDock = nullptr;
+    QDockWidget* m_problemDock = nullptr;
+    QToolBar* m_toolBar = nullptr;
+    QToolButton* m_problemButton = nullptr;
+    QMenu* m_recentMenu = nullptr;
+    QByteArray m_arrangement; ///< of the docks while a file is open; empty: m_layout as it comes
+    Layout m_layout = Layout::Standard;
+};
+
+} // namespace knittsim::ui

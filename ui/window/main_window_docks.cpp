@@ -1,0 +1,139 @@
+#include "ui/views/diagnostics/diagnostics_list.h"
+#include "ui/views/fabric_view/fabric_view.h"
+#include "ui/views/pattern_editor/pattern_grid.h"
+#include "ui/views/simulation_panel/simulation_panel.h"
+#include "ui/views/source/source_view.h"
+#include "ui/views/step_player/step_player.h"
+#include "ui/views/yarn_library/yarn_panel.h"
+#include "ui/window/main_window.h"
+
+#include <QDockWidget>
+#include <QScreen>
+#include <QStackedWidget>
+
+namespace knittsim::ui {
+
+namespace {
+
+const QString kGeometry = QStringLiteral("window/geometry");
+const QString kArrangement = QStringLiteral("window/arrangement1"); // the number rises when docks change
+const QString kStyle = QStringLiteral("window/style");
+const QString kOrthographic = QStringLiteral("window/orthographic");
+
+constexpr int kLeftWidth = 320;
+constexpr int kRightWidth = 270;
+/// In a lower window yarns and simulation share one place.
+constexpr int kLeastHeightForBoth = 760;
+
+} // namespace
+
+QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* content,
+                                 Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    addDockWidget(area, dock);
+    connect(dock, &QDockWidget::visibilityChanged, this, &MainWindow::takeTitleBars);
+    connect(dock, &QDockWidget::topLevelChanged, this, &MainWindow::takeTitleBars);
+    connect(dock, &QDockWidget::dockLocationChanged, this, &MainWindow::takeTitleBars);
+    return dock;
+}
+
+void MainWindow::buildDocks() {
+    m_grid = new PatternGrid(m_document, this);
+    m_source = new SourceView(m_document, this);
+    m_yarns = new YarnPanel(m_document, this);
+    m_simulation = new SimulationPanel(m_document, this);
+    m_problems = new DiagnosticsList(m_document, this);
+    m_gridDock = addDock(QStringLiteral("gridDock"), tr("Pattern"), m_grid, Qt::LeftDockWidgetArea);
+    m_sourceDock = addDock(QStringLiteral("sourceDock"), tr("Source"), m_source, Qt::LeftDockWidgetArea);
+    m_yarnDock = addDock(QStringLiteral("yarnDock"), tr("Yarns"), m_yarns, Qt::RightDockWidgetArea);
+    m_simulationDock =
+        addDock(QStringLiteral("simulationDock"), tr("Simulation"), m_simulation, Qt::RightDockWidgetArea);
+    m_problemDock =
+        addDock(QStringLiteral("problemDock"), tr("Problems"), m_problems, Qt::BottomDockWidgetArea);
+    for (const Qt::Corner corner : {Qt::TopLeftCorner, Qt::BottomLeftCorner}) {
+        setCorner(corner, Qt::LeftDockWidgetArea);
+    }
+    for (const Qt::Corner corner : {Qt::TopRightCorner, Qt::BottomRightCorner}) {
+        setCorner(corner, Qt::RightDockWidgetArea);
+    }
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    tabifyDockWidget(m_gridDock, m_sourceDock);
+    m_gridDock->raise();
+}
+
+void MainWindow::takeTitleBars() {
+    // A dock behind a tab is named and moved by the tab; a title bar would say the same again.
+    for (auto* dock : findChildren<QDockWidget*>()) {
+        const bool tabbed = !dock->isFloating() && !tabifiedDockWidgets(dock).isEmpty();
+        if (tabbed && !dock->titleBarWidget()) {
+            dock->setTitleBarWidget(new QWidget(dock));
+        } else if (!tabbed && dock->titleBarWidget()) {
+            QWidget* empty = dock->titleBarWidget();
+            dock->setTitleBarWidget(nullptr);
+            empty->deleteLater();
+        }
+    }
+}
+
+void MainWindow::arrange(Layout layout) {
+    const std::initializer_list<std::pair<QDockWidget*, Qt::DockWidgetArea>> homes{
+        {m_gridDock, Qt::LeftDockWidgetArea},
+        {m_sourceDock, Qt::LeftDockWidgetArea},
+        {m_yarnDock, Qt::RightDockWidgetArea},
+        {m_simulationDock, Qt::RightDockWidgetArea},
+        {m_problemDock, Qt::BottomDockWidgetArea}};
+    for (const auto& [dock, area] : homes) {
+        dock->setFloating(false);
+        addDockWidget(area, dock);
+    }
+    tabifyDockWidget(m_gridDock, m_sourceDock);
+    m_gridDock->show();
+    m_sourceDock->setVisible(layout != Layout::Teaching);
+    m_yarnDock->setVisible(layout == Layout::Standard);
+    m_simulationDock->setVisible(layout == Layout::Standard);
+    m_problemDock->setVisible(layout == Layout::Checking || !m_document.problems().empty());
+    (layout == Layout::Checking ? m_sourceDock : m_gridDock)->raise();
+    if (height() < kLeastHeightForBoth) {
+        tabifyDockWidget(m_yarnDock, m_simulationDock);
+        m_simulationDock->raise();
+    }
+    resizeDocks({m_gridDock, m_yarnDock}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
+    resizeDocks({m_yarnDock, m_simulationDock}, {380, 320}, Qt::Vertical);
+    m_player->setLargeWords(layout == Layout::Teaching);
+}
+
+void MainWindow::applyLayout(Layout layout) {
+    m_layout = layout;
+    if (m_pages->currentWidget() == m_workspace) {
+        arrange(layout);
+    } else {
+        m_arrangement.clear(); // the docks are hidden now and come with the next file
+    }
+}
+
+void MainWindow::restoreSession() {
+    resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
+    if (const QByteArray geometry = m_session.value(kGeometry); !geometry.isEmpty()) {
+        restoreGeometry(geometry);
+    }
+    m_arrangement = m_session.value(kArrangement);
+    const int style = m_session.value(kStyle).toInt();
+    m_fabric->setStyle(style == 1   ? render::DrawStyle::Strokes
+                       : style == 2 ? render::DrawStyle::Mesh
+                                    : render::DrawStyle::Yarn);
+    m_fabric->setOrthographic(m_session.value(kOrthographic) == "1");
+}
+
+void MainWindow::saveSession() {
+    m_session.setValue(kGeometry, saveGeometry());
+    m_session.setValue(kArrangement, m_pages->currentWidget() == m_workspace ? saveState() : m_arrangement);
+    const render::DrawStyle style = m_fabric->style();
+    m_session.setValue(kStyle, style == render::DrawStyle::Strokes ? "1"
+                               : style == render::DrawStyle::Mesh  ? "2"
+                                                                   : "0");
+    m_session.setValue(kOrthographic, m_fabric->isOrthographic() ? "1" : "0");
+}
+
+} // namespace knittsim::ui
