@@ -1,10 +1,7 @@
 #include "core/physics/coarse_space.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <map>
 
 namespace knittsim::physics {
 
@@ -81,21 +78,27 @@ void CoarseSpace::cut(const Model& model, int entriesAcross) {
     const double across = std::max<double>(entriesAcross, std::sqrt(entries / (0.8 * kMostPatches)));
     const Eigen::Vector3d low = layout.rowwise().minCoeff();
     const Eigen::Vector3d extent = layout.rowwise().maxCoeff() - low;
+    const double least = std::max(1e-6, 0.01 * extent.maxCoeff());
+    const double width = std::max(extent.x(), least);
+    const double height = std::max(extent.y(), least);
     // An entry's own share of the width and height, were they spread evenly over a rectangle of that shape.
-    const double share = std::sqrt(std::max(extent.x(), 1e-6) * std::max(extent.y(), 1e-6) / entries);
-    const double cell = std::max(across * share, 1e-6);
+    const double cell = across * std::sqrt(width * height / entries);
     const double middle = low.z() + 0.5 * extent.z();
+    const auto columns = static_cast<std::size_t>(width / cell) + 1;
+    const auto rows = static_cast<std::size_t>(height / cell) + 1;
 
-    m_patch.resize(static_cast<std::size_t>(layout.cols()));
-    std::map<std::array<std::int64_t, 3>, int> numbers;
+    std::vector<int> numbers(2 * columns * rows, -1);
+    m_patch.reserve(static_cast<std::size_t>(layout.cols()));
     for (Eigen::Index e = 0; e < layout.cols(); ++e) {
-        const std::array<std::int64_t, 3> key{static_cast<std::int64_t>((layout(1, e) - low.y()) / cell),
-                                              static_cast<std::int64_t>((layout(0, e) - low.x()) / cell),
-                                              layout(2, e) > middle ? 1 : 0};
-        m_patch[static_cast<std::size_t>(e)] =
-            numbers.try_emplace(key, static_cast<int>(numbers.size())).first->second;
+        const auto column = static_cast<std::size_t>((layout(0, e) - low.x()) / cell);
+        const auto row = static_cast<std::size_t>((layout(1, e) - low.y()) / cell);
+        const std::size_t sheet = layout(2, e) > middle ? 1 : 0;
+        int& number = numbers[(row * columns + column) * 2 + sheet];
+        if (number < 0) {
+            number = m_patchCount++;
+        }
+        m_patch.push_back(number);
     }
-    m_patchCount = static_cast<int>(numbers.size());
 }
 
 bool CoarseSpace::build(const Model& model, double massFactor) {

@@ -20,7 +20,9 @@ void Fire::initialise(Model& model, const Motion& /*motion*/) {
 }
 
 StepReport Fire::step(Motion& motion, const Interrupt& interrupt) {
-    return interruptible([&] { return tryStep(motion, interrupt); });
+    const StepReport report = interruptible(*m_model, interrupt, [&] { return tryStep(motion, interrupt); });
+    m_fresh = m_fresh || report.outcome == StepReport::Outcome::Cancelled;
+    return report;
 }
 
 void Fire::refreshMetric(const Vector& x) {
@@ -48,7 +50,7 @@ void Fire::steer(double power) {
 }
 
 StepReport Fire::tryStep(Motion& motion, const Interrupt& interrupt) {
-    Vector& x = motion.positions;
+    Vector x = motion.positions;
     StepReport report;
     if (m_fresh) {
         m_energy = m_model->evaluate(x, &m_gradient);
@@ -82,7 +84,8 @@ StepReport Fire::tryStep(Motion& motion, const Interrupt& interrupt) {
     x += move;
     m_energy = m_model->evaluate(x, &m_gradient);
     ++report.evaluations;
-    motion.velocities.setZero(x.size());
+    motion.positions.swap(x);
+    motion.velocities.setZero(move.size());
     report.potential = m_energy;
     report.kinetic = m_metric.halfSquare(m_velocity);
     report.forceNorm = m_gradient.norm();

@@ -34,15 +34,17 @@ struct StepReport {
     std::string note{};
 };
 
-/// Runs one step; an interruption becomes a report.
-template<class Step> StepReport interruptible(Step step) {
+/// Runs one step with the model listening to `interrupt`; an interruption becomes a report.
+template<class Step> StepReport interruptible(Model& model, const Interrupt& interrupt, Step step) {
+    StepReport report;
+    model.setInterrupt(interrupt);
     try {
-        return step();
+        report = step();
     } catch (const Interrupted&) {
-        StepReport report;
         report.outcome = StepReport::Outcome::Cancelled;
-        return report;
     }
+    model.setInterrupt(Interrupt());
+    return report;
 }
 
 /// One way to bring a model to rest. Deterministic. Nothing is thrown.

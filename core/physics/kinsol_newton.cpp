@@ -50,11 +50,11 @@ void KinsolNewton::release() {
 
 void KinsolNewton::initialise(Model& model, const Motion& /*motion*/) {
     m_model = &model;
-    m_preconditioner.prepare(model);
     release();
 }
 
 void KinsolNewton::create() {
+    m_preconditioner.prepare(*m_model);
     m_x = std::make_unique<sundials::StateVector>(m_model->size(), m_context);
     m_ones = std::make_unique<sundials::StateVector>(m_model->size(), m_context);
     m_ones->map().setOnes();
@@ -123,20 +123,19 @@ int KinsolNewton::precondition(N_Vector v) {
 }
 
 StepReport KinsolNewton::step(Motion& motion, const Interrupt& interrupt) {
-    if (m_memory == nullptr) {
-        create();
-    }
     m_interrupt = interrupt;
-    m_evaluations = 0;
-    m_x->map() = motion.positions;
-    const int flag = KINSol(m_memory, m_x->get(), KIN_LINESEARCH, m_ones->get(), m_ones->get());
+    StepReport report = interruptible(*m_model, interrupt, [&] {
+        if (m_memory == nullptr) {
+            create();
+        }
+        m_evaluations = 0;
+        m_x->map() = motion.positions;
+        const int flag = KINSol(m_memory, m_x->get(), KIN_LINESEARCH, m_ones->get(), m_ones->get());
+        interrupt.check();
+        return finish(motion, flag);
+    });
     m_interrupt = Interrupt();
-    if (interrupt.wanted()) {
-        StepReport report;
-        report.outcome = StepReport::Outcome::Cancelled;
-        return report;
-    }
-    return finish(motion, flag);
+    return report;
 }
 
 StepReport KinsolNewton::finish(Motion& motion, int flag) {
@@ -150,10 +149,11 @@ StepReport KinsolNewton::finish(Motion& motion, int flag) {
     } else if (distortion > kLargestDistortion) {
         move *= kLargestDistortion / distortion;
     }
-    motion.positions += move;
-    motion.velocities.setZero(move.size());
+    const Vector next = motion.positions + move;
     Vector gradient;
-    report.potential = m_model->evaluate(motion.positions, &gradient);
+    report.potential = m_model->evaluate(next, &gradient);
+    motion.positions = next;
+    motion.velocities.setZero(move.size());
     report.forceNorm = gradient.norm();
     report.largestMove = move.cwiseAbs().maxCoeff();
     report.evaluations = m_evaluations + 1;

@@ -15,7 +15,7 @@ void Lbfgs::initialise(Model& model, const Motion& /*motion*/) {
 }
 
 StepReport Lbfgs::step(Motion& motion, const Interrupt& interrupt) {
-    return interruptible([&] { return tryStep(motion, interrupt); });
+    return interruptible(*m_model, interrupt, [&] { return tryStep(motion, interrupt); });
 }
 
 void Lbfgs::start(const Vector& x) {

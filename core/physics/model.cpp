@@ -33,6 +33,7 @@ Model::Model(std::unique_ptr<SpringTerm> springs, std::vector<std::unique_ptr<En
 template<class Visit> void Model::forTerms(Visit visit) const {
     visit(static_cast<const EnergyTerm&>(*m_springs));
     for (const auto& term : m_others) {
+        m_interrupt.check();
         visit(static_cast<const EnergyTerm&>(*term));
     }
     visit(static_cast<const EnergyTerm&>(m_drag));
@@ -69,6 +70,7 @@ double Model::evaluate(const Vector& x, Vector* gradient) const {
 void Model::linearise(const Vector& x) {
     m_springs->linearise(x);
     for (const auto& term : m_others) {
+        m_interrupt.check();
         term->linearise(x);
     }
     m_drag.linearise(x);

@@ -2,6 +2,7 @@
 
 #include "core/physics/drag_term.h"
 #include "core/physics/energy_term.h"
+#include "core/physics/interrupt.h"
 #include "core/physics/spring_term.h"
 
 #include <memory>
@@ -35,6 +36,9 @@ public:
     void setPinned(Entry entry, bool pinned);
     bool isPinned(Entry entry) const { return m_pinned[static_cast<std::size_t>(entry)] != 0; }
 
+    /// Asked between terms, in a large fabric some 10 ms each; throws Interrupted out of the functions below.
+    void setInterrupt(const Interrupt& interrupt) { m_interrupt = interrupt; }
+
     /// Potential energy V, uJ. `gradient` may be null; it is overwritten.
     double evaluate(const Vector& x, Vector* gradient) const;
 
@@ -64,6 +68,7 @@ private:
     std::unique_ptr<SpringTerm> m_springs;
     std::vector<std::unique_ptr<EnergyTerm>> m_others;
     DragTerm m_drag;
+    Interrupt m_interrupt;
     Vector m_mass;
     Eigen::Matrix3Xd m_layout;
     std::vector<char> m_pinned;

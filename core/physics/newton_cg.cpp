@@ -12,21 +12,20 @@ constexpr int kMostIterations = 400;
 } // namespace
 
 void NewtonCg::initialise(Model& model, const Motion& /*motion*/) {
-    if (m_model != &model) {
-        m_preconditioner.prepare(model);
-    }
     m_model = &model;
     m_fresh = true;
 }
 
 StepReport NewtonCg::step(Motion& motion, const Interrupt& interrupt) {
-    return interruptible([&] { return tryStep(motion, interrupt); });
+    return interruptible(*m_model, interrupt, [&] { return tryStep(motion, interrupt); });
 }
 
 StepReport NewtonCg::tryStep(Motion& motion, const Interrupt& interrupt) {
     StepReport report;
     Vector& x = motion.positions;
     if (m_fresh) {
+        m_preconditioner.prepare(*m_model);
+        interrupt.check();
         m_energy = m_model->evaluate(x, &m_gradient);
         m_lastNorm = m_gradient.norm();
         m_fresh = false;

@@ -1,32 +1,47 @@
 #include "core/physics/time_stepper.h"
 
+#include <utility>
+
 namespace knittsim::physics {
 
 namespace {
 constexpr int kFreezeInterval = 50; // steps
 } // namespace
 
-void TimeStepper::initialise(Model& model, const Motion& motion) {
-    m_dynamics.attach(model, motion);
+void TimeStepper::initialise(Model& model, const Motion& /*motion*/) {
+    m_model = &model;
+    m_attached = false;
     m_ready = false;
 }
 
-bool TimeStepper::start(const Motion& motion) {
+void TimeStepper::start(const Motion& motion) {
+    if (!m_attached) {
+        m_dynamics.attach(*m_model, motion);
+        m_attached = true;
+    } else {
+        m_dynamics.freeze(motion.positions);
+    }
     if (m_y == nullptr || m_y->map().size() != m_dynamics.size()) {
         m_y = std::make_unique<sundials::StateVector>(m_dynamics.size(), m_context);
     }
-    auto y = m_y->map();
-    m_dynamics.pack(motion, y);
+    m_dynamics.pack(motion, m_y->map());
     m_scaledTime = 0;
     m_untilFreeze = kFreezeInterval;
     create(m_y->get());
     m_ready = true;
-    return true;
 }
 
 StepReport TimeStepper::step(Motion& motion, const Interrupt& interrupt) {
-    StepReport report;
     m_interrupt = interrupt;
+    StepReport report = interruptible(*m_model, interrupt, [&] { return tryStep(motion, interrupt); });
+    m_interrupt = Interrupt();
+    if (report.outcome != StepReport::Outcome::Moved) {
+        m_ready = false; // begins anew from `motion`
+    }
+    return report;
+}
+
+StepReport TimeStepper::tryStep(Motion& motion, const Interrupt& interrupt) {
     int flag = 0;
     if (!m_ready) {
         start(motion);
@@ -39,17 +54,19 @@ StepReport TimeStepper::step(Motion& motion, const Interrupt& interrupt) {
     if (flag >= 0) {
         flag = advance(m_y->get(), m_scaledTime);
     }
-    m_interrupt = Interrupt();
+    interrupt.check();
     if (sundials::meaningOf(m_package, flag) != sundials::Meaning::Fine) {
-        m_ready = false;
-        report.outcome = interrupt.wanted() ? StepReport::Outcome::Cancelled : StepReport::Outcome::Failed;
+        StepReport report;
+        report.outcome = StepReport::Outcome::Failed;
         report.note = sundials::nameOf(m_package, flag);
         return report;
     }
-    const Vector before = motion.positions;
-    m_dynamics.unpack(m_y->map(), motion);
-    motion.time += (m_scaledTime - begin) / m_dynamics.frequency();
-    return m_dynamics.report(motion, before, lastStep());
+    Motion next;
+    m_dynamics.unpack(m_y->map(), next);
+    next.time = motion.time + (m_scaledTime - begin) / m_dynamics.frequency();
+    const StepReport report = m_dynamics.report(next, motion.positions, lastStep());
+    std::swap(motion, next);
+    return report;
 }
 
 } // namespace knittsim::physics

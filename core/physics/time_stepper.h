@@ -44,7 +44,8 @@ protected:
     static constexpr double kRelativeTolerance = 1e-6;
 
 private:
-    bool start(const Motion& motion);
+    StepReport tryStep(Motion& motion, const Interrupt& interrupt);
+    void start(const Motion& motion);
 
     sundials::Package m_package;
     sundials::Context m_context;
@@ -53,6 +54,8 @@ private:
     Interrupt m_interrupt;
     double m_scaledTime = 0;
     int m_untilFreeze = 0;
+    Model* m_model = nullptr;
+    bool m_attached = false;
     bool m_ready = false;
 };
 
