@@ -14,7 +14,7 @@ namespace {
 // relaxed stitch: crossings 0.43 and 0.71 courses above the base line, head at 0.96, sinker at -0.82, belly
 // 0.94 wales wide.
 constexpr float kClaspHalfHeight = 0.28F; ///< from a bonding point to its lower and upper crossing
-constexpr float kClaspHalfWidth = 0.24F;  ///< new loop inside, old loop outside
+constexpr float kClaspHalfWidth = 0.26F;  ///< new loop inside, old loop outside
 constexpr float kDepthGain = 1.4F;        ///< makes up for what the spline cuts off between opposite depths
 constexpr float kCrossingGain = 1.5F;
 constexpr float kTailAcross = 1.5F;

@@ -24,6 +24,7 @@ struct Node {
     vec3 toViewer;
     vec3 normal;                   // of the fabric, on the viewer's side
     float height;                  // diameters over the fabric's middle, towards the viewer
+    vec3 bend;                     // curvature, 1/mm, towards the inside of the bend
     bool isEnd;
 };
 
@@ -51,6 +52,12 @@ Node readNode(int index) {
     vTangent = length2 > 0.0 ? way * inversesqrt(length2) : vec3(1.0, 0.0, 0.0);
     vArc = here.w;
 
+    vec3 arriving = here.xyz - before.xyz;
+    vec3 leaving = after.xyz - here.xyz;
+    float inLength = max(length(arriving), 1e-6);
+    float outLength = max(length(leaving), 1e-6);
+    vec3 bend = isFirst || isLast ? vec3(0.0) : 2.0 * (leaving / outLength - arriving / inLength) / (inLength + outLength);
+
     uvec2 surface = texelFetch(uSurface, index).rg;
     vec3 toViewer = normalize(uViewer.xyz - uViewer.w * here.xyz);
     vec3 normal = unpackDirection(surface.g);
@@ -63,5 +70,6 @@ Node readNode(int index) {
         uint state = texelFetch(uState, int(texelFetch(uOwner, index).r)).r;
         vGlow = state == 1u ? 1.0 : state == 2u ? 0.5 : 0.0;
     }
-    return Node(here.xyz, unpackDirection(surface.r), toViewer, facing * normal, height, isFirst || isLast);
+    return Node(here.xyz, unpackDirection(surface.r), toViewer, facing * normal, height, bend,
+                isFirst || isLast);
 }

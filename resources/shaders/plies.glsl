@@ -27,5 +27,5 @@ Fibres findFibres(Surface surface, vec3 between) {
     vec3 fibre = vTangent + uHelix * around;
     float along = dot(fibre, between);
     float shine = max(0.0, 1.0 - along * along / dot(fibre, fibre));
-    return Fibres(normal, relief * (1.0 + 0.5 * uDetail * strand), 1.0 + uMelange * (1.3 * spot + 1.2 * strand), shine);
+    return Fibres(normal, relief * (1.0 + 0.36 * uDetail * strand), 1.0 + uMelange * (1.3 * spot + 0.7 * strand), shine);
 }

@@ -23,6 +23,8 @@ void main() {
         vOutwards = cos(turn) * first + sin(turn) * cross(vTangent, first);
     }
     vDepth = node.height + 0.5 * dot(vOutwards, node.normal);
+    // Inside a bend narrower than the yarn the tube would fold over itself.
+    radius = min(radius, 0.92 / max(dot(vOutwards, node.bend), 1e-6));
     if (node.isEnd) radius *= 0.3;
     gl_Position = uProjection * (uView * vec4(node.place + radius * vOutwards, 1.0));
 }

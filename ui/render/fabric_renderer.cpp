@@ -393,7 +393,7 @@ void FabricRenderer::Implementation::setYarn(const ShaderProgram& program, const
 
 void FabricRenderer::Implementation::drawMarkers(const View& view) const {
     setCamera(*shaders.marker, view);
-    shaders.marker->set("uSize", std::clamp(0.25F / millimetresPerPixel(view), 2.5F, 11.0F));
+    shaders.marker->set("uSize", std::clamp(0.25F / millimetresPerPixel(view), 4.0F, 12.0F));
     shaders.marker->set("uColours[0]", view.dark ? Vec3f(0.45F, 0.80F, 0.98F) : Vec3f(0.05F, 0.40F, 0.70F));
     shaders.marker->set("uColours[1]", view.dark ? Vec3f(0.60F, 0.90F, 0.55F) : Vec3f(0.10F, 0.52F, 0.18F));
     shaders.marker->set("uColours[2]", view.dark ? Vec3f(1.0F, 0.55F, 0.45F) : Vec3f(0.80F, 0.16F, 0.10F));

@@ -1,0 +1,52 @@
+#include "ui/render/image.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace knittsim::render {
+namespace {
+
+class ImageFile : public testing::Test {
+protected:
+    void SetUp() override {
+        m_path = std::filesystem::temp_directory_path() /
+                 (std::string("knittsim-image-") +
+                  testing::UnitTest::GetInstance()->current_test_info()->name() + ".png");
+    }
+    void TearDown() override { std::filesystem::remove(m_path); }
+
+    std::filesystem::path m_path;
+};
+
+TEST_F(ImageFile, comesBackAsItWasWritten) {
+    Image image{3, 2, {}};
+    for (int i = 0; i < 24; ++i) {
+        image.pixels.push_back(static_cast<std::uint8_t>(i * 10));
+    }
+    image.pixels[3] = 255;
+    ASSERT_TRUE(writePng(m_path, image));
+    const auto read = readPng(m_path);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->width, 3);
+    EXPECT_EQ(read->height, 2);
+    EXPECT_EQ(read->pixels, image.pixels);
+    EXPECT_EQ(read->at(1, 1)[0], image.pixels[16]);
+}
+
+TEST_F(ImageFile, emptyImageIsAnErrorAndWritesNothing) {
+    const auto written = writePng(m_path, Image{});
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.diagnostics().front().id, "KS0404");
+    EXPECT_FALSE(std::filesystem::exists(m_path));
+}
+
+TEST_F(ImageFile, foreignBytesAreAnError) {
+    ASSERT_TRUE(writeFileAtomically(m_path, "this is no picture"));
+    const auto read = readPng(m_path);
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.diagnostics().front().id, "KS0405");
+}
+
+} // namespace
+} // namespace knittsim::render

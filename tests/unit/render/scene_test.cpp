@@ -1,0 +1,160 @@
+#include "tests/support/build.h"
+#include "tests/support/lattice.h"
+#include "ui/render/camera.h"
+#include "ui/render/scene_picking.h"
+#include "ui/render/scene_worker.h"
+
+#include <gtest/gtest.h>
+
+#include <semaphore>
+
+namespace knittsim::render {
+namespace {
+
+std::shared_ptr<const fabric::Fabric> makeFabric(int courses = 4) {
+    std::string lines = "in 1\nin 2\n";
+    for (int course = 0; course < courses; ++course) {
+        const int carrier = course % 2 + 1;
+        lines +=
+            course % 4 < 2 ? test::pass("knit", 'f', 5, 0, carrier) : test::pass("knit", 'f', 0, 5, carrier);
+    }
+    return std::make_shared<fabric::Fabric>(test::build(lines + "out 1\nout 2\n"));
+}
+
+YarnLook lookWith(double diameterMm) {
+    YarnLook look;
+    look.diameterMm = diameterMm;
+    return look;
+}
+
+TEST(FabricScene, everyYarnBeginsWhereEveryStrideMeetsIt) {
+    for (const DrawStyle style : {DrawStyle::Yarn, DrawStyle::Mesh}) {
+        FabricScene scene(makeFabric(), {}, style);
+        const auto frame = scene.prepare({});
+        const SceneTopology& topology = *frame->topology;
+        ASSERT_EQ(topology.yarns.size(), 2U);
+        EXPECT_EQ(frame->nodes.size(), topology.owner.size());
+        EXPECT_EQ(frame->surface.size(), topology.owner.size());
+        std::vector<bool> used(frame->nodes.size(), false);
+        for (const auto& yarn : topology.yarns) {
+            EXPECT_EQ(yarn.first % kMostStride, 0);
+            for (std::int32_t n = yarn.first; n < yarn.first + yarn.count; ++n) {
+                used[static_cast<std::size_t>(n)] = true;
+                EXPECT_GE(frame->nodes[static_cast<std::size_t>(n)][3], 0);
+            }
+        }
+        for (std::size_t n = 0; n < used.size(); ++n) {
+            EXPECT_TRUE(used[n] || frame->nodes[n][3] < 0)
+                << "shaders must see that node " << n << " is none";
+        }
+    }
+}
+
+TEST(FabricScene, piecesCoverEachSegmentOnceAndHoldTheirNodes) {
+    FabricScene scene(makeFabric(), {}, DrawStyle::Yarn);
+    const auto frame = scene.prepare({});
+    std::vector<int> covered(frame->nodes.size(), 0);
+    for (const Chunk& chunk : frame->chunks) {
+        EXPECT_EQ(chunk.firstNode % kMostStride, 0);
+        for (std::int32_t n = chunk.firstNode; n < chunk.firstNode + chunk.count; ++n) {
+            const auto& node = frame->nodes[static_cast<std::size_t>(n)];
+            EXPECT_LE((Vec3f(node[0], node[1], node[2]) - chunk.centre).norm(), chunk.reach * 1.0001F);
+            covered[static_cast<std::size_t>(n)] += n + 1 < chunk.firstNode + chunk.count ? 1 : 0;
+        }
+    }
+    for (const auto& yarn : frame->topology->yarns) {
+        for (std::int32_t n = yarn.first; n + 1 < yarn.first + yarn.count; ++n) {
+            EXPECT_EQ(covered[static_cast<std::size_t>(n)], 1) << n;
+        }
+    }
+}
+
+TEST(FabricScene, boundsHoldTheYarnWithItsThickness) {
+    const std::vector<YarnLook> looks(2, lookWith(1));
+    FabricScene scene(makeFabric(), looks, DrawStyle::Yarn);
+    const auto frame = scene.prepare({});
+    Vec3f high = Vec3f::Constant(-1e9F);
+    for (const auto& node : frame->nodes) {
+        if (node[3] >= 0) {
+            high = high.cwiseMax(Vec3f(node[0], node[1], node[2]));
+        }
+    }
+    EXPECT_LT((frame->bounds.high - high - Vec3f::Constant(0.5F)).norm(), 1e-4);
+}
+
+TEST(FabricScene, emptyFabricGivesAnEmptyFrame) {
+    FabricScene scene(std::make_shared<fabric::Fabric>(test::build("in 1\nout 1\n")), {}, DrawStyle::Yarn);
+    const auto frame = scene.prepare({});
+    EXPECT_TRUE(frame->chunks.empty());
+    EXPECT_TRUE(frame->bounds.empty());
+}
+
+TEST(ScenePicking, agreesWithLookingAtAllTheYarn) {
+    const auto fabric = makeFabric(6);
+    const auto positions = test::relaxedLattice(*fabric, 5);
+    const std::vector<YarnLook> looks(2, lookWith(0.5));
+    FabricScene scene(fabric, looks, DrawStyle::Yarn);
+    const auto frame = scene.prepare(positions);
+    const std::vector<double> diameters(2, 0.5);
+    Camera camera;
+    camera.setViewport(300, 200);
+    camera.setScene(frame->bounds);
+    camera.fit(frame->bounds);
+    int hits = 0;
+    for (float y = 3; y < 200; y += 13) {
+        for (float x = 2; x < 300; x += 11) {
+            const geometry::Ray ray = camera.rayAt(x, y);
+            const auto quick = pickScene(*frame, *fabric, ray, 0);
+            const auto slow = geometry::pickYarn(*fabric, scene.curves(), diameters, ray);
+            ASSERT_EQ(quick.has_value(), slow.has_value()) << x << ' ' << y;
+            if (quick) {
+                EXPECT_EQ(quick->point, slow->point) << x << ' ' << y;
+                EXPECT_NEAR(quick->depth, slow->depth, 1e-3);
+                ++hits;
+            }
+        }
+    }
+    EXPECT_GT(hits, 100);
+}
+
+TEST(SceneWorker, givesTheLatestJobInTheEnd) {
+    std::counting_semaphore<> ready(0);
+    SceneWorker worker([&] { ready.release(); });
+    const auto first = makeFabric(2);
+    const auto last = makeFabric(5);
+    for (int i = 0; i < 50; ++i) {
+        worker.post({.fabric = first, .looks = {}, .style = DrawStyle::Yarn, .shape = nullptr});
+    }
+    worker.post({.fabric = last, .looks = {}, .style = DrawStyle::Mesh, .shape = nullptr});
+    std::optional<SceneWorker::Picture> picture;
+    while (!picture || picture->fabric != last) {
+        ready.acquire();
+        if (auto next = worker.take()) {
+            picture = std::move(next);
+        }
+    }
+    EXPECT_EQ(picture->scene->style, DrawStyle::Mesh);
+    EXPECT_EQ(picture->scene->markers.size(), static_cast<std::size_t>(last->entryCount));
+    EXPECT_FALSE(worker.take());
+}
+
+TEST(SceneWorker, takesShapesOfTheSameSizeOnly) {
+    std::counting_semaphore<> ready(0);
+    SceneWorker worker([&] { ready.release(); });
+    const auto fabric = makeFabric();
+    auto shape = std::make_shared<simulation::Frame>();
+    shape->positions.assign(3 * static_cast<std::size_t>(fabric->entryCount), 7.0F);
+    const auto highest = [&](std::shared_ptr<const simulation::Frame> frame) {
+        worker.post({.fabric = fabric, .looks = {}, .style = DrawStyle::Mesh, .shape = std::move(frame)});
+        ready.acquire();
+        return worker.take()->scene->markers[0].y;
+    };
+    const float onMachine = highest(nullptr);
+    EXPECT_EQ(highest(shape), 7.0F);
+    auto foreign = std::make_shared<simulation::Frame>(*shape);
+    foreign->positions.pop_back();
+    EXPECT_EQ(highest(foreign), onMachine);
+}
+
+} // namespace
+} // namespace knittsim::render
