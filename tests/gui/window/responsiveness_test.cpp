@@ -1,0 +1,151 @@
+#ifndef Q_MOC_RUN // moc 6.4 does not read all headers of C++20
+#include "core/formats/knitout/writer.h"
+#include "core/pattern/swatch.h"
+#endif
+
+#include "ui/views/fabric_view/fabric_view.h"
+#include "ui/views/style/appearance.h"
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+namespace knittsim::ui {
+
+namespace {
+
+/// Remembers the event whose handling took longest.
+class MeasuringApplication : public QApplication {
+public:
+    using QApplication::QApplication;
+
+    bool notify(QObject* receiver, QEvent* event) override {
+        const QByteArray name = receiver->metaObject()->className();
+        const QEvent::Type type = event->type();
+        QElapsedTimer clock;
+        clock.start();
+        const bool handled = QApplication::notify(receiver, event);
+        const double ms = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+        // Events within events: the innermost slow one says most, and ends first.
+        if (ms > 1.2 * m_longest) {
+            m_longest = ms;
+            m_what = QStringLiteral("%1 for %2").arg(static_cast<int>(type)).arg(QString::fromLatin1(name));
+        }
+        return handled;
+    }
+
+    QString slowest() const {
+        return QStringLiteral("event %1, %2 ms").arg(m_what).arg(m_longest, 0, 'f', 1);
+    }
+    void reset() { m_longest = 0; }
+
+private:
+    double m_longest = 0;
+    QString m_what;
+};
+
+MeasuringApplication& measuring() {
+    return *static_cast<MeasuringApplication*>(qApp);
+}
+
+/// How long the event loop was away: a timer of no interval asks as often as it can.
+class GapMeter : public QObject {
+public:
+    GapMeter() {
+        m_clock.start();
+        m_timer.setInterval(0);
+        connect(&m_timer, &QTimer::timeout, this, [this] { note(); });
+        m_timer.start();
+    }
+
+    void reset() {
+        m_longest = 0;
+        m_count = 0;
+        m_over = 0;
+        measuring().reset();
+        m_clock.restart();
+    }
+
+    double longestMs() const { return m_longest; }
+    int turns() const { return m_count; }
+    int turnsOver50Ms() const { return m_over; }
+
+private:
+    void note() {
+        const double gap = static_cast<double>(m_clock.nsecsElapsed()) * 1e-6;
+        m_longest = std::max(m_longest, gap);
+        m_over += gap > 50 ? 1 : 0;
+        ++m_count;
+        m_clock.restart();
+    }
+
+    QTimer m_timer;
+    QElapsedTimer m_clock;
+    double m_longest = 0;
+    int m_count = 0;
+    int m_over = 0;
+};
+
+} // namespace
+
+/// Opens and settles 100 x 100 stitches and prints how long the window was away at most. Times are no
+/// assertions: they say nothing on a busy machine.
+class ResponsivenessTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        qputenv("KNITTSIM_CONFIG_DIR", m_folder.path().toUtf8());
+        applyAppearance(*qApp, document::Appearance::Light);
+    }
+
+    void settling10000Stitches() {
+        MainWindow window;
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        window.openSample("plain"); // the first picture sets OpenGL up
+        QTRY_COMPARE_WITH_TIMEOUT(window.document().activity(), document::Activity::AtRest, 30000);
+
+        GapMeter meter;
+        const QString program = QString::fromStdString(formats::knitout::write(pattern::makePlain(100, 100)));
+        const auto before = window.document().file();
+        meter.reset();
+        window.document().openText("100 x 100", program);
+        QTRY_VERIFY_WITH_TIMEOUT(window.document().file() != before, 30000);
+        report("opening", meter);
+        meter.reset();
+        QTRY_COMPARE_WITH_TIMEOUT(window.document().activity(), document::Activity::AtRest, 120000);
+        report("settling", meter);
+        QVERIFY(window.document().file()->grid->loopCount() >= 10000);
+        meter.reset();
+        for (int course = 0; course < 20; ++course) {
+            window.document().moveCourse(-1);
+            QCoreApplication::processEvents();
+        }
+        report("stepping", meter);
+        QVERIFY(meter.turns() > 0);
+        const auto* view = window.findChild<FabricView*>("fabricView");
+        qInfo("renderer %s, last paint %.1f ms", qPrintable(view->rendererName()), view->lastPaintMs());
+    }
+
+private:
+    static void report(const char* what, const GapMeter& meter) {
+        qInfo("%s: longest gap of the event loop %.1f ms; %d of %d turns over 50 ms; slowest: %s", what,
+              meter.longestMs(), meter.turnsOver50Ms(), meter.turns(), qPrintable(measuring().slowest()));
+    }
+
+    QTemporaryDir m_folder;
+};
+
+} // namespace knittsim::ui
+
+int main(int argc, char** argv) {
+    knittsim::ui::MeasuringApplication application(argc, argv);
+    knittsim::ui::ResponsivenessTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "responsiveness_test.moc"
