@@ -104,15 +104,12 @@ void setUpOpenGl(int argc, char** argv) {
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
 }
 
+/// The words of dialogs that Qt brings along.
 void loadTranslations(QApplication& application) {
     auto* ofQt = new QTranslator(&application);
     if (ofQt->load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"),
                    QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
         QCoreApplication::installTranslator(ofQt);
-    }
-    auto* own = new QTranslator(&application);
-    if (own->load(QLocale(), QStringLiteral("knittsim"), QStringLiteral("_"), QStringLiteral(":/i18n"))) {
-        QCoreApplication::installTranslator(own);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "ui/views/diagnostics/diagnostics_list.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
+#include "ui/views/simulation_panel/activity_text.h"
 #include "ui/views/source/source_view.h"
 #include "ui/views/step_player/step_player.h"
 #include "ui/views/style/appearance.h"
@@ -83,6 +84,8 @@ void MainWindow::buildCentre() {
     m_workspace = new QWidget(m_pages);
     m_fabric = new FabricView(m_workspace);
     m_fabric->setObjectName(QStringLiteral("fabricView"));
+    m_fabric->setAccessibleName(tr("Fabric"));
+    m_fabric->setFocusPolicy(Qt::StrongFocus);
     m_fabric->setDark(isDark(palette()));
     m_player = new StepPlayer(m_document, m_workspace);
     auto* work = new QVBoxLayout(m_workspace);
@@ -113,6 +116,15 @@ void MainWindow::connectDocument() {
     connect(&m_document, &Document::problemsChanged, this, &MainWindow::takeProblems);
     connect(&m_document, &Document::fabricShown, this, &MainWindow::takeFabric);
     connect(&m_document, &Document::activityChanged, this, &MainWindow::takeActions);
+    connect(&m_document, &Document::activityChanged, this, [this] {
+        const auto file = m_document.file();
+        m_fabric->setAccessibleDescription(file ? tr("%1 columns, %2 courses, %3, %4 problems")
+                                                      .arg(file->grid->columnCount())
+                                                      .arg(file->grid->courseCount())
+                                                      .arg(activityWord(m_document.activity()))
+                                                      .arg(m_document.problems().size())
+                                                : QString());
+    });
     connect(m_problems, &DiagnosticsList::placeWanted, this, &MainWindow::showPlace);
     connect(m_banner, &Banner::actionWanted, this, [this] {
         m_problemDock->show();

@@ -71,6 +71,7 @@ void MainWindow::buildFileMenu() {
     addAction(menu, "actionOpen", tr("&Open\u2026"), QKeySequence::Open, "open", [this] { chooseFile(); });
     m_recentMenu = menu->addMenu(tr("Open &recent"));
     m_recentMenu->setObjectName(QStringLiteral("recentMenu"));
+    m_recentMenu->setToolTipsVisible(true);
     QMenu* samples = menu->addMenu(icon(QStringLiteral("samples")), tr("&Samples"));
     samples->setObjectName(QStringLiteral("sampleMenu"));
     samples->setToolTipsVisible(true);
@@ -99,6 +100,12 @@ void MainWindow::buildEditMenu() {
         action->setObjectName(undo ? "actionUndo" : "actionRedo");
         action->setIcon(icon(undo ? QStringLiteral("undo") : QStringLiteral("redo")));
         action->setShortcut(undo ? QKeySequence(QKeySequence::Undo) : QKeySequence(tr("Ctrl+Shift+Z")));
+        const QString key = action->shortcut().toString(QKeySequence::NativeText);
+        const auto tip = [action, key] {
+            action->setToolTip(QStringLiteral("%1 (%2)").arg(action->text().remove(u'&'), key));
+        };
+        connect(stack, &QUndoStack::indexChanged, action, tip);
+        tip();
         menu->addAction(action);
     }
     menu->addSeparator();

@@ -85,7 +85,6 @@ void StatusLine::showLoop(machine::LoopIndex loop) {
 void StatusLine::showOperation(machine::OperationIndex operation) {
     const auto file = m_document.file();
     const auto& operations = file->timeline->program().operations;
-    m_rack->setText(tr("rack %1").arg(document::rackText(m_document.machineState().rack)));
     if (operation < 0) {
         return;
     }
@@ -113,15 +112,17 @@ void StatusLine::takePlace() {
         return;
     }
     const auto count = static_cast<machine::LoopIndex>(file->timeline->loops().loops.size());
+    const machine::MachineState state = m_document.machineState();
     const machine::LoopIndex selected = m_document.selection().loop;
     if (m_hovered >= 0 && m_hovered < count) {
         showLoop(m_hovered);
     } else if (selected >= 0) {
         showLoop(selected);
     } else {
+        m_rack->setText(tr("rack %1").arg(document::rackText(state.rack)));
         showOperation(m_document.step() - 1);
     }
-    m_stitches->setText(tr("%1 stitches").arg(countText(m_document.machineState().loopCount)));
+    m_stitches->setText(tr("%1 stitches").arg(countText(state.loopCount)));
 }
 
 void StatusLine::takeFrame() {

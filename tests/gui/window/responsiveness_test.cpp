@@ -4,6 +4,7 @@
 #endif
 
 #include "ui/views/fabric_view/fabric_view.h"
+#include "ui/views/pattern_editor/pattern_grid.h"
 #include "ui/views/style/appearance.h"
 #include "ui/window/main_window.h"
 
@@ -137,6 +138,35 @@ private slots:
         QVERIFY(meter.turns() > 0);
         const auto* view = window.findChild<FabricView*>("fabricView");
         qInfo("renderer %s, last paint %.1f ms", qPrintable(view->rendererName()), view->lastPaintMs());
+    }
+
+    void painting150000Stitches() {
+        MainWindow window;
+        window.resize(1280, 800);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        GapMeter meter;
+        meter.reset();
+        window.document().openText(
+            "300 x 500", QString::fromStdString(formats::knitout::write(pattern::makePlain(300, 500))));
+        QTRY_VERIFY_WITH_TIMEOUT(window.document().file(), 60000);
+        report("opening 150,000", meter);
+        auto* grid = window.findChild<PatternGrid*>("patternGrid");
+        grid->setParent(nullptr); // a window of its own, as large as a screen
+        grid->resize(1280, 800);
+        grid->show();
+        for (int zoom = 0; zoom < 12; ++zoom) {
+            grid->zoomOut();
+        }
+        while (grid->geometryOfChart().cellWidth < 24) {
+            const double before = threadMs();
+            const QImage picture = grid->grab().toImage();
+            qInfo("pattern grid, cells of %d: %.1f ms of processor time", grid->geometryOfChart().cellWidth,
+                  threadMs() - before);
+            QVERIFY(!picture.isNull());
+            grid->zoomIn();
+        }
+        delete grid;
     }
 
 private:

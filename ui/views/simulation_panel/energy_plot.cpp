@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace knittsim::ui {
 
@@ -16,6 +17,9 @@ namespace {
 
 constexpr int kAxisWidth = 50;
 constexpr double kResidualLimit = 1e-3;
+/// The energy axis reaches from the largest value to a little below the smallest V, within these bounds.
+constexpr double kLeastDecades = 3;
+constexpr double kMostDecades = 12;
 
 QString powerText(double value) {
     const int power = static_cast<int>(std::lround(std::log10(std::abs(value))));
@@ -113,13 +117,18 @@ void EnergyPlot::paintEnergies(QPainter& painter, const QRect& rect) const {
                                      [](const EnergySample& s) { return s.energies.lagrangian(); }}};
     double low = 0;
     double high = 0;
+    double least = std::numeric_limits<double>::max();
     for (const EnergySample& sample : m_history.samples()) {
         for (const Curve& curve : curves) {
             low = std::min(low, curve.of(sample));
             high = std::max(high, curve.of(sample));
         }
+        if (sample.energies.potential > 0) {
+            least = std::min(least, sample.energies.potential);
+        }
     }
-    const SymmetricLogScale scale(low, high);
+    const double decades = high > 0 && least < high ? std::log10(high / least) + 0.7 : kLeastDecades;
+    const SymmetricLogScale scale(low, high, std::clamp(decades, kLeastDecades, kMostDecades));
     const int legend = painter.fontMetrics().height() + 4;
     paintLegend(painter, {rect.left() - kAxisWidth + 4, rect.top(), rect.width() + kAxisWidth, legend},
                 curves);
