@@ -106,6 +106,8 @@ void StitchGrid::fillCells() {
         previous = &place;
     }
     accumulate(m_firstCell);
+    m_usesBothBeds = std::any_of(m_cells.begin(), m_cells.end(),
+                                 [](const GridCell& cell) { return cell.front >= 0 && cell.rear >= 0; });
 }
 
 void StitchGrid::fillFloats(const machine::LoopTable& made) {

@@ -64,6 +64,8 @@ public:
     std::int32_t courseCount() const { return static_cast<std::int32_t>(m_firstCell.size()) - 1; }
     std::int32_t firstColumn() const { return m_firstColumn; }
     std::int32_t columnCount() const { return m_columnCount; }
+    /// Some cell has loops on both beds.
+    bool usesBothBeds() const { return m_usesBothBeds; }
     std::size_t loopCount() const { return m_marks.size(); }
 
     /// Cells of a course, by rising column.
@@ -87,6 +89,7 @@ private:
 
     std::int32_t m_firstColumn = 0;
     std::int32_t m_columnCount = 0;
+    bool m_usesBothBeds = false;
     std::vector<StitchMark> m_marks;          ///< by loop
     std::vector<GridPlace> m_places;          ///< by loop
     std::vector<GridCell> m_cells;            ///< course after course

@@ -50,6 +50,8 @@ TEST(StitchGrid, LoopsOfBothBedsShareACell) {
     EXPECT_GE(made.cell(0, 1).rear, 0);
     EXPECT_TRUE(made.rear(0, 1).rear);
     EXPECT_FALSE(made.front(0, 1).rear);
+    EXPECT_TRUE(made.grid.usesBothBeds());
+    EXPECT_FALSE(Made("in 1\nknit + f1 1\nknit + b2 1\n").grid.usesBothBeds());
 }
 
 TEST(StitchGrid, ATransferToTheSideIsToldByTheLoopThatMoved) {
@@ -100,8 +102,8 @@ TEST(StitchGrid, EveryLoopIsFoundWhereItsPlaceSays) {
 }
 
 TEST(StitchGrid, FarApartNeedlesCostNoMemoryForTheGapBetween) {
-    const Made made("in 1\nknit + f0 1\nknit + f5000 1\nknit - f5000 1\nknit - f0 1\n");
-    EXPECT_EQ(made.grid.columnCount(), 5001);
+    const Made made("in 1\nknit + f0 1\nknit + f3000 1\nknit - f3000 1\nknit - f0 1\n");
+    EXPECT_EQ(made.grid.columnCount(), 3001);
     EXPECT_EQ(made.grid.row(0).size(), 2U);
     EXPECT_EQ(made.grid.floats(0).size(), 1U);
 }

@@ -18,13 +18,14 @@ struct ChartGeometry {
     int columns = 0;
     int courses = 0;
     int cellWidth = 18;
-    QSize view;    ///< whole widget
-    QSize header;  ///< width of the row numbers, height of the needle numbers
-    QPoint scroll; ///< content pixels hidden on the left and above
+    bool tall = false; ///< cells hold two stitches above each other
+    QSize view;        ///< whole widget
+    QSize header;      ///< width of the row numbers, height of the needle numbers
+    QPoint scroll;     ///< content pixels hidden on the left and above
 
     /// Stitches are wider than high; even, so that a cell can be halved.
     int cellHeight() const { return cellHeightOf(cellWidth); }
-    static int cellHeightOf(int width) { return width < 3 ? 2 : (width * 41 / 50 + 1) / 2 * 2; }
+    int cellHeightOf(int width) const { return width < 3 ? 2 : (width * (tall ? 60 : 41) / 50 + 1) / 2 * 2; }
 
     QSize content() const { return {columns * cellWidth, courses * cellHeight()}; }
 

@@ -54,6 +54,7 @@ void PatternGrid::takeFile() {
     const document::StitchGrid* chart = grid();
     m_chart.columns = chart ? chart->columnCount() : 0;
     m_chart.courses = chart ? chart->courseCount() : 0;
+    m_chart.tall = chart && chart->usesBothBeds();
     m_hover = -1;
     takeYarns();
     takeStep();
@@ -129,7 +130,7 @@ void PatternGrid::fitChart() {
 void PatternGrid::setCellWidth(int width, QPoint fixed) {
     const QPoint before = fixed - m_chart.origin();
     const double factor = static_cast<double>(width) / m_chart.cellWidth;
-    const double factorY = static_cast<double>(ChartGeometry::cellHeightOf(width)) / m_chart.cellHeight();
+    const double factorY = static_cast<double>(m_chart.cellHeightOf(width)) / m_chart.cellHeight();
     m_chart.cellWidth = width;
     layoutChart();
     const QPoint corner = m_chart.chartArea().topLeft();

@@ -133,14 +133,21 @@ void EnergyPlot::paintEnergies(QPainter& painter, const QRect& rect) const {
     paintLegend(painter, {rect.left() - kAxisWidth + 4, rect.top(), rect.width() + kAxisWidth, legend},
                 curves);
     const QRect area = rect.adjusted(0, legend + 3, 0, 0);
-    double lastLabel = -1;
-    for (const double tick : scale.ticks()) {
+    std::vector<double> ticks = scale.ticks();
+    std::sort(ticks.begin(), ticks.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    std::vector<double> named;
+    for (const double tick : ticks) {
         const double share = scale.map(tick);
-        const bool room =
-            lastLabel < 0 || (share - lastLabel) * area.height() >= painter.fontMetrics().height() * 1.3;
+        const bool room = std::all_of(named.begin(), named.end(), [&](double other) {
+            return std::abs(share - other) * area.height() >= painter.fontMetrics().height() * 1.2;
+        });
         paintAxis(painter, area, share,
-                  room ? (tick == 0 ? QStringLiteral("0") : powerText(tick)) : QString());
-        lastLabel = room ? share : lastLabel;
+                  !room       ? QString()
+                  : tick == 0 ? QStringLiteral("0")
+                              : powerText(tick));
+        if (room) {
+            named.push_back(share);
+        }
     }
     painter.setRenderHint(QPainter::Antialiasing);
     for (const Curve& curve : curves) {
