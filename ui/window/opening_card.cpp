@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -29,8 +30,6 @@ OpeningCard::OpeningCard(document::Document& document, QWidget* parent)
     : QFrame(parent), m_document(document), m_title(new QLabel(this)), m_stage(new QLabel(this)),
       m_progress(new QProgressBar(this)) {
     setObjectName(QStringLiteral("openingCard"));
-    setFrameShape(QFrame::StyledPanel);
-    setAutoFillBackground(true);
     QFont bold = m_title->font();
     bold.setBold(true);
     m_title->setFont(bold);
@@ -76,6 +75,14 @@ OpeningCard::OpeningCard(document::Document& document, QWidget* parent)
 void OpeningCard::place() {
     resize(360, sizeHint().height());
     move((parentWidget()->width() - width()) / 2, (parentWidget()->height() - height()) / 3);
+}
+
+void OpeningCard::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 1.2));
+    painter.setBrush(palette().color(QPalette::ToolTipBase));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 8, 8);
 }
 
 bool OpeningCard::eventFilter(QObject* watched, QEvent* event) {

@@ -21,6 +21,7 @@ public:
     static constexpr int kDelayMs = 500;
 
 protected:
+    void paintEvent(QPaintEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
