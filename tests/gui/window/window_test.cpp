@@ -172,6 +172,31 @@ private slots:
         QCOMPARE(yarnOnFirstCarrier(), before);
     }
 
+    void aDoubleClickPutsAYarnOnTheSelectedCarrier() {
+        openSample("float-jacquard");
+        auto* carriers = child<QListView>("carrierList");
+        carriers->setCurrentIndex(carriers->model()->index(1, 0));
+        auto* yarns = child<QListView>("yarnList");
+        const QModelIndex second = yarns->model()->index(1, 0);
+        const QPoint place = yarns->visualRect(second).center();
+        QTest::mouseClick(yarns->viewport(), Qt::LeftButton, {}, place);
+        QTest::mouseDClick(yarns->viewport(), Qt::LeftButton, {}, place);
+        QCOMPARE(carriers->model()->index(1, 0).data(Qt::DisplayRole).toString().section(": ", 1),
+                 second.data(Qt::DisplayRole).toString());
+    }
+
+    void aClickOnTheFabricSelectsCellAndLine() {
+        openSample("plain");
+        emit child<FabricView>("fabricView")->loopClicked(33);
+        QCOMPARE(document().selection().loop, 33);
+        QCOMPARE(child<SourceView>("sourceView")->currentLine(), document().selection().line);
+        auto* source = child<SourceView>("sourceView");
+        child<QDockWidget>("sourceDock")->raise();
+        source->setFocus();
+        QTest::keyClick(source, Qt::Key_Down);
+        QCOMPARE(document().selection().loop, 34);
+    }
+
     void aYarnIsDroppedOntoACarrier() {
         openSample("float-jacquard");
         auto* carriers = child<QListView>("carrierList");
