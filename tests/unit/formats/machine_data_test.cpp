@@ -3,11 +3,11 @@
 #include "core/formats/knitout/reader.h"
 #include "core/formats/knitout/writer.h"
 #include "tests/support/compare_programs.h"
+#include "tests/unit/formats/machine_data.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 namespace knittsim::formats {
@@ -15,13 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Programs knitted on real machines, which are not part of the project: $KNITTSIM_MACHINE_DATA, else
-/// shared/machine-data beside the source tree.
-fs::path machineData() {
-    const char* folder = std::getenv("KNITTSIM_MACHINE_DATA");
-    return folder != nullptr ? fs::path(folder)
-                             : fs::path(KNITTSIM_SOURCE_DIR).parent_path() / "shared" / "machine-data";
-}
+using test::machineData;
 
 std::vector<fs::path> filesWith(std::initializer_list<const char*> extensions) {
     std::vector<fs::path> files;
