@@ -82,6 +82,9 @@ constexpr auto kMessages = std::to_array<Message>({
     {"KS0139", "dat-cannot-write", "A Shima DAT picture cannot say this, {0}: {1}.",
      "Change the program or write knitout (.k)."},
 
+    {"KS0149", "kcode-cannot-write", "Kniterate k-code cannot say this, {0}: {1}.",
+     "Change the program or write knitout (.k)."},
+
     {"KS0201", "carrier-not-in", "Carrier {0} is used but was not brought in.",
      "Bring it in with 'in {0}' or 'inhook {0}'."},
     {"KS0202", "carrier-in-twice", "Carrier {0} is brought in while it is in.", "Take it out first."},
