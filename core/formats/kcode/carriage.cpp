@@ -58,8 +58,8 @@ void Carriage::turn(Direction direction) {
         return;
     }
     Stroke stroke;
-    const std::string none(kWrittenNeedles + 2 * kMargin, signOf(0));
-    stroke.frontSizes = stroke.rearSizes = none;
+    stroke.front = stroke.rear = std::string(kNeedles, kRests);
+    stroke.frontSizes = stroke.rearSizes = std::string(kNeedles + 2 * kMargin, signOf(0));
     stroke.rack = m_rack;
     stroke.direction = m_next;
     stroke.carriageLeft = m_left;

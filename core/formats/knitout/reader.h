@@ -4,7 +4,6 @@
 #include "core/formats/problems.h"
 #include "core/machine/program.h"
 
-#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -13,9 +12,6 @@ namespace knittsim::formats::knitout {
 
 /// Errors after which reading stops.
 constexpr int kMaxProblems = kMaxErrors;
-
-/// Bounds time and memory. Longer lines are refused (KS0116) and skipped.
-constexpr std::size_t kMaxLineBytes = 64 * 1024;
 
 /// Reads knitout 2 (textiles-lab/knitout, text of version 0.6). Any bytes are safe; time is linear in their
 /// number.
