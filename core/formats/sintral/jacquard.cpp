@@ -4,6 +4,7 @@
 #include "core/formats/text.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace knittsim::formats::sintral {
 
@@ -103,10 +104,11 @@ bool Jacquard::addLine(std::string_view line, Spot spot, Problems& problems) {
 }
 
 bool Jacquard::finish(Spot spot, Problems& problems) {
-    if (m_open) {
-        problems.error("KS0153", spot, {"the last row is not continued"});
+    if (!std::exchange(m_open, false)) {
+        return true;
     }
-    return !m_open;
+    problems.error("KS0153", spot, {"the last row is not continued"});
+    return false;
 }
 
 int Jacquard::findRow(int lineNumber) const {
