@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace knittsim::formats::kcode {
 
@@ -139,7 +140,6 @@ void Carriage::addStitches(const Pass& pass, int carrier) {
         stroke.comment = "(decayed from a SOFT_MISS)";
     }
     if (pass.gripper == Gripper::Out) {
-        stroke.comment += "; ";
         stroke.comment += kCarrierOut;
     }
     double left = frontNeedle(pass.firstSlot()) - m_spacing.distance;
@@ -172,6 +172,7 @@ void Carriage::addStitches(const Pass& pass, int carrier) {
 }
 
 void Carriage::addTransfers(const Pass& pass) {
+    m_message = pass.message;
     for (const bool fromFront : {true, false}) {
         std::vector<int> all;
         std::vector<int> even;
@@ -200,7 +201,7 @@ void Carriage::transferStroke(const Pass& pass, bool fromFront, const std::vecto
     stroke.rack = pass.rack;
     stroke.speed = pass.speed;
     stroke.roller = pass.roller;
-    stroke.message = pass.message;
+    stroke.message = std::exchange(m_message, {});
     stroke.direction = m_next;
     stroke.type = transferType(fromFront, m_next);
     stroke.comment = comment;

@@ -4,7 +4,6 @@
 #include "core/formats/passes/pass.h"
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -70,6 +69,7 @@ private:
     machine::Direction m_next = machine::Direction::Right;
     double m_left = -11.5; ///< where the carriage stops
     double m_right = kNeedles - 1 + 11.5;
+    std::string m_message; ///< shown before the next stroke of transfers
     double m_rack = 0; ///< of the last stroke with stitches
 };
 

@@ -18,13 +18,17 @@ constexpr char kRests = '_';
 constexpr char kLeftStop = '/';
 constexpr char kRightStop = '\\';
 
+constexpr std::string_view kHome = "HOME";
+constexpr std::string_view kComment = "//";
+constexpr std::string_view kRightwards = ">>";
+constexpr std::string_view kLeftwards = "<<";
 constexpr std::string_view kRackPrefix = "RACK:";
 constexpr std::string_view kFrontPrefix = "FRNT:";
 constexpr std::string_view kFrontSizes = "STIF:";
 constexpr std::string_view kRearPrefix = "REAR:";
 constexpr std::string_view kRearSizes = "STIR:";
 
-constexpr std::string_view kCarrierOut = "carrier out"; ///< in the comment before a pass
+constexpr std::string_view kCarrierOut = "; carrier out"; ///< at the end of the comment before a pass
 
 /// Where the carriers 1 to 6 stand when they are out, in needles from the first one.
 constexpr std::array<double, kCarriers> kParking{-11.5, -9.5, -9.5, -7.5, -7.5, -7.5};

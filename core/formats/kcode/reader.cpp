@@ -135,9 +135,9 @@ void Reader::readLine(std::string_view line) {
         readNeedles(kRearPrefix, line, m_rear);
     } else if (startsWith(line, kRearSizes)) {
         readSizes(line, m_rear);
-    } else if (startsWith(line, ">>") || startsWith(line, "<<")) {
+    } else if (startsWith(line, kRightwards) || startsWith(line, kLeftwards)) {
         readAction(line);
-    } else if (startsWith(line, "//")) {
+    } else if (startsWith(line, kComment)) {
         readComment(line);
     } else {
         readOther(line);
@@ -145,7 +145,9 @@ void Reader::readLine(std::string_view line) {
 }
 
 void Reader::readComment(std::string_view line) {
-    m_out = m_out || line.find(kCarrierOut) != std::string_view::npos;
+    const std::string_view text = trim(line);
+    m_out = m_out || (text.size() >= kCarrierOut.size() &&
+                      text.substr(text.size() - kCarrierOut.size()) == kCarrierOut);
 }
 
 /// HOME, RACK and texts to show stand between the passes only.
@@ -160,7 +162,7 @@ void Reader::readOther(std::string_view line) {
         m_problems.error("KS0141", here(), {quoted(text), "the next line of the pass"});
         m_place = 0;
         m_bad = false;
-    } else if (text != "HOME") {
+    } else if (text != kHome) {
         m_problems.warn("KS0142", here(), {quoted(text)});
         m_sink.pause(std::string(text));
     }
@@ -389,6 +391,8 @@ void Reader::finish() {
     if (m_place != 0) {
         m_problems.error("KS0141", end, {"the end of the file", "the rest of the pass"});
     } else if (!m_anyPass) {
+        // Another kind of file: what was said of its lines does not matter.
+        m_problems = Problems(m_program.file, kMaxErrors);
         m_problems.error("KS0140", {1, 1});
     }
     for (int carrier = 1; carrier <= kCarriers; ++carrier) {

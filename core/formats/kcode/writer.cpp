@@ -117,10 +117,11 @@ std::string needleLine(const Stroke& stroke, const std::string& needles) {
 
 class Text {
 public:
-    explicit Text(std::string_view name) {
-        line("HOME");
+    explicit Text(std::string name) {
+        std::replace_if(name.begin(), name.end(), [](char c) { return c >= '\0' && c < ' '; }, ' ');
+        line(kHome);
         line(std::string(kRackPrefix) + '0');
-        line("// " + std::string(name));
+        line("// " + name);
     }
 
     void add(const Stroke& stroke) {
@@ -128,7 +129,7 @@ public:
             line(stroke.message);
         }
         for (int i = 0; i < 4; ++i) {
-            line("//");
+            line(kComment);
         }
         if (!stroke.comment.empty()) {
             line("// " + stroke.comment);
@@ -141,8 +142,8 @@ public:
         line(std::string(kFrontSizes) + stroke.frontSizes);
         line(std::string(kRearPrefix) + needleLine(stroke, stroke.rear));
         line(std::string(kRearSizes) + stroke.rearSizes);
-        line((stroke.direction == Direction::Right ? ">> " : "<< ") + stroke.type + ' ' +
-             std::to_string(stroke.carrier) + ' ' + formatNumber(stroke.speed) + ' ' +
+        line(std::string(stroke.direction == Direction::Right ? kRightwards : kLeftwards) + ' ' +
+             stroke.type + ' ' + std::to_string(stroke.carrier) + ' ' + formatNumber(stroke.speed) + ' ' +
              formatNumber(stroke.roller));
     }
 
@@ -157,6 +158,15 @@ private:
     std::string m_text;
     double m_rack = 0;
 };
+
+/// A text that cannot be taken for anything else.
+bool isMessage(std::string_view text) {
+    const auto begins = [&](std::string_view word) { return text.substr(0, word.size()) == word; };
+    const auto words = {kHome,       kComment,  kRightwards, kLeftwards, kRackPrefix,
+                        kFrontPrefix, kFrontSizes, kRearPrefix, kRearSizes};
+    return trim(text).size() == text.size() && !text.empty() && text.find('\n') == std::string_view::npos &&
+           std::none_of(words.begin(), words.end(), begins);
+}
 
 /// Number of the carrier of a pass: 0 for none, -1 for a name that is none of 1 to 6.
 int carrierOf(const machine::Header& header, const Pass& pass) {
@@ -202,12 +212,12 @@ Result<std::string> write(const machine::Program& program, std::string_view name
             return refusal(program, "needle " + std::to_string(first) + " to " + std::to_string(last),
                            "the beds have needles 1 to 252");
         }
-        if (pass.pause && pass.message.empty()) {
+        if (pass.pause && !isMessage(pass.message)) {
             return refusal(program, "pause", "a stop needs a text to show");
         }
         carriage.add(pass, carrier);
     }
-    Text text(name);
+    Text text{std::string(name)};
     for (const Stroke& stroke : carriage.strokes()) {
         if (!stopsFit(stroke)) {
             return refusal(program, "a carrier stop", "it lies beyond the bed");

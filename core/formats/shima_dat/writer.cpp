@@ -3,7 +3,6 @@
 #include "core/formats/passes/planner.h"
 #include "core/formats/shima_dat/layout.h"
 #include "core/formats/shima_dat/raster.h"
-#include "core/formats/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,9 +47,11 @@ constexpr passes::PassRules kRules{
 std::vector<int> carrierNumbers(const machine::Header& header) {
     std::vector<int> numbers;
     for (const machine::Carrier& carrier : header.carriers) {
-        const auto number = parseInteger(carrier.name);
-        const bool known = number && *number >= 1 && *number <= kCarriers && carrier.name[0] != '+';
-        numbers.push_back(known ? static_cast<int>(*number) : 0);
+        int number = kCarriers;
+        while (number > 0 && carrier.name != std::to_string(number)) {
+            --number;
+        }
+        numbers.push_back(number);
     }
     return numbers;
 }

@@ -21,6 +21,10 @@ struct Reader {
     std::function<std::string()> sample; ///< a file that opens
 };
 
+void PrintTo(const Reader& reader, std::ostream* out) {
+    *out << reader.name;
+}
+
 machine::Program smallProgram() {
     return knitout::parse(";!knitout-2\n;;Carriers: 1 2\nin 1\nknit + f1 1\nknit + f2 1\ntuck - f2 1\nxfer f1 b1\nout 1\n",
                           "a.k")
@@ -38,7 +42,7 @@ std::vector<Reader> readers() {
              [] { return kcode::write(smallProgram(), "a.kc").value(); }},
             {"sintral", [](std::string_view text) { return sintral::parse({text, "a.sin"}, {kJacquard, "a.jac"}); },
              [] {
-                 return std::string("START\n10 SEN=1-6 NP5=11 #5=2\n20 REP*3\n30 <> S:<1->A(5)-R; Y:1/2; S1 VR1\n"
+                 return std::string("START\n10 SEN=1-6 NP5=11 #5=2\n20 REP*3\n30 <> S:<0+>A(5)-R; Y:1/2; S1 VR1\n"
                                     "40 REPEND\nIF #5=2 GOSUB 60-60\nEND\n60 S:<1+>R-0;\n");
              }},
             {"jacquard", [](std::string_view text) {
@@ -111,6 +115,14 @@ TEST_P(BadInput, AHundredMegabytesOfOneLineGiveOneMessage) {
                   : GetParam().name == std::string("dat")   ? "KS0130"
                                                             : "KS0116");
     EXPECT_FALSE(opens(line));
+}
+
+TEST_P(BadInput, OtherTextIsRefused) {
+    std::string text;
+    for (int i = 0; i < 1000; ++i) {
+        text += "It was a bright cold day in April, and the needles were striking thirteen.\n";
+    }
+    EXPECT_FALSE(opens(text));
 }
 
 TEST_P(BadInput, NulBytesGiveOneMessage) {

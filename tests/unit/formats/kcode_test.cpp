@@ -4,7 +4,7 @@
 #include "core/formats/knitout/reader.h"
 #include "core/formats/knitout/writer.h"
 #include "tests/support/random_program.h"
-#include "tests/unit/formats/same_meaning.h"
+#include "tests/support/same_meaning.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -142,6 +142,7 @@ TEST(KcodeWriter, RefusesWhatTheMachineCannotDo) {
     EXPECT_EQ(refusal("in 1\nknit + f1 1\nxfer f1 bs1\nout 1\n"), "KS0149");
     EXPECT_EQ(refusal("pause\nin 1\nknit + f1 1\nout 1\n"), "KS0149");
     EXPECT_EQ(refusal("x-carrier-spacing 1.5\nin 1\nknit + f1 1\nout 1\n"), "KS0149");
+    EXPECT_EQ(refusal("pause RACK:3\nin 1\nknit + f1 1\nout 1\n"), "KS0149");
     EXPECT_EQ(refusal("pause change the yarn\nin 1\nknit + f1 1\nout 1\n"), "");
 }
 

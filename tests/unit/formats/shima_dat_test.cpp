@@ -6,7 +6,7 @@
 #include "core/formats/shima_dat/reader.h"
 #include "core/formats/shima_dat/writer.h"
 #include "tests/support/random_program.h"
-#include "tests/unit/formats/same_meaning.h"
+#include "tests/support/same_meaning.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,9 @@
-#include "tests/unit/formats/same_meaning.h"
+#include "tests/support/same_meaning.h"
 
 #include "core/machine/timeline.h"
 
 #include <algorithm>
+#include <map>
 
 namespace knittsim::test {
 
@@ -25,8 +26,21 @@ bool sameLoop(const Timeline& a, const Timeline& b, LoopIndex index, int shift) 
     const auto parentsY = b.loops().parentsOf(index);
     return x.kind == y.kind && x.direction == y.direction && x.needle.bed == y.needle.bed &&
            x.needle.index + shift == y.needle.index && carrierName(a, x) == carrierName(b, y) &&
-           x.yarn == y.yarn && std::equal(parentsX.begin(), parentsX.end(), parentsY.begin(), parentsY.end());
+           std::equal(parentsX.begin(), parentsX.end(), parentsY.begin(), parentsY.end());
 }
+
+/// Yarns are counted as they come in; the same yarns may come in in another order.
+class YarnPairs {
+public:
+    bool fit(const Loop& x, const Loop& y) {
+        return m_forth.emplace(x.yarn, y.yarn).first->second == y.yarn &&
+               m_back.emplace(y.yarn, x.yarn).first->second == x.yarn;
+    }
+
+private:
+    std::map<std::int32_t, std::int32_t> m_forth;
+    std::map<std::int32_t, std::int32_t> m_back;
+};
 
 std::string describe(const Timeline& timeline, LoopIndex index) {
     const Loop& loop = timeline.loops().loops[static_cast<std::size_t>(index)];
@@ -42,8 +56,10 @@ std::string differenceInMeaning(const machine::Program& first, const machine::Pr
     const Timeline b(second, machine::genericProfile());
     const auto countA = static_cast<LoopIndex>(a.loops().loops.size());
     const auto countB = static_cast<LoopIndex>(b.loops().loops.size());
+    YarnPairs yarns;
     for (LoopIndex i = 0; i < std::min(countA, countB); ++i) {
-        if (!sameLoop(a, b, i, shift)) {
+        const auto index = static_cast<std::size_t>(i);
+        if (!sameLoop(a, b, i, shift) || !yarns.fit(a.loops().loops[index], b.loops().loops[index])) {
             return "loop " + std::to_string(i) + ": " + describe(a, i) + ", " + describe(b, i);
         }
     }
