@@ -1,7 +1,14 @@
 #include "core/formats/formats.h"
 
 #include "core/base/file.h"
+#include "core/formats/kcode/reader.h"
+#include "core/formats/kcode/writer.h"
 #include "core/formats/knitout/reader.h"
+#include "core/formats/knitout/writer.h"
+#include "core/formats/shima_dat/raster.h"
+#include "core/formats/shima_dat/reader.h"
+#include "core/formats/shima_dat/writer.h"
+#include "core/formats/sintral/reader.h"
 #include "core/formats/text.h"
 
 #include <algorithm>
@@ -13,28 +20,47 @@ namespace knittsim::formats {
 
 namespace {
 
+enum class Format { None, Knitout, ShimaDat, Kcode, Sintral };
+
 struct Known {
     std::string_view mark; ///< extension, or first bytes of the file
-    const char* name;
+    Format format;
+    const char* name; ///< of a format that cannot be read
 };
 
-constexpr std::array<std::string_view, 2> kKnitoutExtensions{".k", ".knitout"};
-
-constexpr std::array kOtherExtensions{
-    Known{".dat", "Shima DAT"},      Known{".kc", "Kniterate k-code"},    Known{".sin", "Stoll Sintral"},
-    Known{".jac", "Stoll Jacquard"}, Known{".setx", "Stoll Setup"},       Known{".set", "Stoll Setup"},
-    Known{".mdv", "Stoll M1plus"},   Known{".hpat", "Stoll CREATE PLUS"}, Known{".stp", "DesignaKnit"},
-    Known{".pat", "DesignaKnit"},    Known{".ks", "KnitScript"},          Known{".smobj", "stitch mesh"},
+constexpr std::array kExtensions{
+    Known{".k", Format::Knitout, ""},
+    Known{".knitout", Format::Knitout, ""},
+    Known{".dat", Format::ShimaDat, ""},
+    Known{".kc", Format::Kcode, ""},
+    Known{".sin", Format::Sintral, ""},
+    Known{".jac", Format::None, "Stoll Jacquard without its .sin file"},
+    Known{".setx", Format::None, "Stoll Setup"},
+    Known{".set", Format::None, "Stoll Setup"},
+    Known{".mdv", Format::None, "Stoll M1plus"},
+    Known{".hpat", Format::None, "Stoll CREATE PLUS"},
+    Known{".stp", Format::None, "DesignaKnit"},
+    Known{".pat", Format::None, "DesignaKnit"},
+    Known{".ks", Format::None, "KnitScript"},
+    Known{".smobj", Format::None, "stitch mesh"},
 };
 
 constexpr std::array kSignatures{
-    Known{"\x89PNG", "PNG picture"},   Known{"\xFF\xD8\xFF", "JPEG picture"},
-    Known{"GIF8", "GIF picture"},      Known{"BM", "BMP picture"},
-    Known{"%PDF", "PDF document"},     Known{"PK\x03\x04", "ZIP archive"},
-    Known{"\x1F\x8B", "gzip archive"}, Known{"HOME\n", "Kniterate k-code"},
+    Known{";!knitout", Format::Knitout, ""},
+    Known{"HOME\n", Format::Kcode, ""},
+    Known{"HOME\r\n", Format::Kcode, ""},
+    Known{"START\n", Format::Sintral, ""},
+    Known{"START\r\n", Format::Sintral, ""},
+    Known{"\x89PNG", Format::None, "PNG picture"},
+    Known{"\xFF\xD8\xFF", Format::None, "JPEG picture"},
+    Known{"GIF8", Format::None, "GIF picture"},
+    Known{"BM", Format::None, "BMP picture"},
+    Known{"%PDF", Format::None, "PDF document"},
+    Known{"PK\x03\x04", Format::None, "ZIP archive"},
+    Known{"\x1F\x8B", Format::None, "gzip archive"},
 };
 
-constexpr std::string_view kMagic = ";!knitout";
+constexpr std::string_view kUndocumented = ".wkt";
 
 std::string lowerExtension(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
@@ -43,32 +69,60 @@ std::string lowerExtension(const std::filesystem::path& path) {
     return extension;
 }
 
-/// Shima DAT: two little-endian numbers of fixed value at 8 and 16, and a header and palette of 0x600 bytes.
-bool looksLikeShimaDat(std::string_view bytes) {
-    constexpr std::string_view kThousand("\xE8\x03", 2);
-    return bytes.size() > 0x600 && bytes.substr(8, 2) == kThousand && bytes.substr(16, 2) == kThousand;
+Diagnostic failure(const char* id, const std::filesystem::path& path, std::string what) {
+    return {id, Severity::Error, Place{.file = path.string()}, {std::move(what)}};
 }
 
-/// Name of a foreign format that the first bytes tell, or nothing.
-std::string nameByBytes(std::string_view bytes) {
-    if (looksLikeShimaDat(bytes)) {
-        return "Shima DAT";
+/// What the first bytes tell, or nothing.
+std::optional<Known> knownByBytes(std::string_view bytes) {
+    if (shima_dat::hasSignature(bytes)) {
+        return Known{{}, Format::ShimaDat, ""};
     }
     for (const Known& known : kSignatures) {
         if (bytes.substr(0, known.mark.size()) == known.mark) {
-            return known.name;
+            return known;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<Known> knownByExtension(const std::string& extension) {
+    for (const Known& known : kExtensions) {
+        if (extension == known.mark) {
+            return known;
+        }
+    }
+    return std::nullopt;
+}
+
+std::string nameOf(const std::optional<Known>& known, const std::string& extension) {
+    if (known) {
+        return known->name;
+    }
+    return extension.empty() ? "no extension, no known first bytes" : shown(extension);
+}
+
+/// The jacquard text of the same name, in small or capital letters; empty path when there is none.
+std::filesystem::path jacquardBeside(std::filesystem::path path) {
+    std::error_code error;
+    for (const char* extension : {".jac", ".JAC", ".Jac"}) {
+        if (std::filesystem::is_regular_file(path.replace_extension(extension), error)) {
+            return path;
         }
     }
     return {};
 }
 
-std::string nameByExtension(const std::string& extension) {
-    for (const Known& known : kOtherExtensions) {
-        if (extension == known.mark) {
-            return known.name;
-        }
+Result<machine::Program> readSintral(std::string_view bytes, const std::filesystem::path& path) {
+    const std::filesystem::path jacquard = jacquardBeside(path);
+    if (jacquard.empty()) {
+        return sintral::parse({bytes, path.string()}, {});
     }
-    return extension.empty() ? "no extension, no known first bytes" : shown(extension);
+    const Result<std::string> text = readFile(jacquard);
+    if (!text) {
+        return Result<machine::Program>::failure(text.diagnostics());
+    }
+    return sintral::parse({bytes, path.string()}, {text.value(), jacquard.string()});
 }
 
 } // namespace
@@ -80,16 +134,43 @@ Result<machine::Program> readProgram(const std::filesystem::path& path) {
     }
     const std::string_view bytes = file.value();
     const std::string extension = lowerExtension(path);
-    std::string foreign = nameByBytes(bytes);
-    const bool named = std::find(kKnitoutExtensions.begin(), kKnitoutExtensions.end(), extension) !=
-                       kKnitoutExtensions.end();
-    if (foreign.empty() && (named || bytes.substr(0, kMagic.size()) == kMagic)) {
+    std::optional<Known> known = knownByBytes(bytes);
+    if (!known && extension == kUndocumented) {
+        return failure("KS0020", path, "WKT");
+    }
+    if (!known) {
+        known = knownByExtension(extension);
+    }
+    switch (known ? known->format : Format::None) {
+    case Format::Knitout:
         return knitout::parse(bytes, path.string());
+    case Format::ShimaDat:
+        return shima_dat::parse(bytes, path.string());
+    case Format::Kcode:
+        return kcode::parse(bytes, path.string());
+    case Format::Sintral:
+        return readSintral(bytes, path);
+    case Format::None:
+        break;
     }
-    if (foreign.empty()) {
-        foreign = nameByExtension(extension);
+    return failure("KS0006", path, nameOf(known, extension));
+}
+
+Result<std::string> writeProgram(const machine::Program& program, const std::filesystem::path& path) {
+    const std::string extension = lowerExtension(path);
+    const std::optional<Known> known = knownByExtension(extension);
+    switch (known ? known->format : Format::None) {
+    case Format::Knitout:
+        return knitout::write(program);
+    case Format::ShimaDat:
+        return shima_dat::write(program);
+    case Format::Kcode:
+        return kcode::write(program, path.filename().string());
+    case Format::Sintral:
+    case Format::None:
+        break;
     }
-    return Diagnostic{"KS0006", Severity::Error, Place{.file = path.string()}, {std::move(foreign)}};
+    return failure("KS0021", path, extension.empty() ? "no extension" : shown(extension));
 }
 
 } // namespace knittsim::formats

@@ -2,6 +2,7 @@
 
 #include "core/base/diagnostic.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,12 @@ namespace knittsim::formats {
 
 /// Warnings after which further ones are left out (KS0124 says so).
 constexpr int kMaxWarnings = 100;
+
+/// Errors after which a reader stops.
+constexpr int kMaxErrors = 20;
+
+/// Operations and source comments of one program; more end the reading (KS0125). Bounds the memory.
+constexpr std::size_t kMaxOperations = 10'000'000;
 
 /// A place in the file that is being read; both 1-based, the column in bytes.
 struct Spot {

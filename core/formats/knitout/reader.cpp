@@ -5,6 +5,7 @@
 #include "core/formats/knitout/operation_reader.h"
 #include "core/formats/problems.h"
 #include "core/formats/text.h"
+#include "core/formats/text_lines.h"
 
 #include <algorithm>
 #include <optional>
@@ -50,7 +51,6 @@ private:
     void checkFirstLine();
     void readMagic(std::string_view line);
     void readLine(std::string_view line);
-    bool checkBytes(std::string_view& line);
     void readHeaderLine(const HeaderLine& header);
     void readBody(std::string_view line);
     void beginBody();
@@ -62,29 +62,24 @@ private:
     Problems m_problems;
     HeaderReader m_header;
     OperationReader m_operations;
-    std::string m_repaired; ///< copy of a line that is not UTF-8
     int m_line = 0;
     bool m_magic = false;
     bool m_headerEnded = false; ///< by a line that is no header line
     bool m_inBody = false;      ///< an operation was seen
-    bool m_saidLineEnds = false;
-    bool m_saidNotUtf8 = false;
-    bool m_saidNul = false;
     bool m_saidSplitHeader = false;
 };
 
 Result<machine::Program> Reader::run() {
     checkFirstLine();
-    while (!m_text.empty() && !m_problems.full()) {
-        const std::size_t end = m_text.find('\n');
-        const std::string_view line = m_text.substr(0, end);
-        m_text.remove_prefix(end == std::string_view::npos ? m_text.size() : end + 1);
-        ++m_line;
-        readLine(line);
+    TextLines lines(m_text, m_problems);
+    while (lines.next()) {
+        m_line = lines.number();
+        readLine(lines.line());
         if (tooMany()) {
             break;
         }
     }
+    m_line = lines.number();
     checkEnd();
     if (m_problems.errorCount() > 0) {
         return Result<machine::Program>::failure(m_problems.take());
@@ -121,17 +116,6 @@ void Reader::readMagic(std::string_view line) {
 }
 
 void Reader::readLine(std::string_view line) {
-    if (!line.empty() && line.back() == '\r') {
-        while (!line.empty() && line.back() == '\r') {
-            line.remove_suffix(1);
-        }
-        if (!std::exchange(m_saidLineEnds, true)) {
-            m_problems.warn("KS0112", {m_line, static_cast<int>(line.size() % kMaxLineBytes) + 1});
-        }
-    }
-    if (!checkBytes(line)) {
-        return;
-    }
     if (startsWith(line, ";;")) {
         if (const auto header = splitHeader(line)) {
             readHeaderLine(*header);
@@ -144,32 +128,6 @@ void Reader::readLine(std::string_view line) {
     }
     m_headerEnded = true;
     readBody(line);
-}
-
-/// Refuses lines that are no text; repairs lines that are not UTF-8.
-bool Reader::checkBytes(std::string_view& line) {
-    if (line.size() > kMaxLineBytes) {
-        m_problems.error("KS0116", {m_line, 1}, {std::to_string(line.size()), std::to_string(kMaxLineBytes)});
-        return false;
-    }
-    if (const std::size_t nul = line.find('\0'); nul != std::string_view::npos) {
-        if (!std::exchange(m_saidNul, true)) {
-            m_problems.error("KS0122", {m_line, static_cast<int>(nul) + 1});
-        }
-        return false;
-    }
-    if (!isUtf8(line)) {
-        m_repaired = replaceBadUtf8(line);
-        if (!std::exchange(m_saidNotUtf8, true)) {
-            std::size_t bad = 0;
-            while (bad < line.size() && line[bad] == m_repaired[bad]) {
-                ++bad;
-            }
-            m_problems.warn("KS0113", {m_line, static_cast<int>(bad) + 1});
-        }
-        line = m_repaired;
-    }
-    return true;
 }
 
 void Reader::readHeaderLine(const HeaderLine& header) {

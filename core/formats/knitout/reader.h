@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/formats/problems.h"
 #include "core/machine/program.h"
 
-#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -11,12 +11,7 @@
 namespace knittsim::formats::knitout {
 
 /// Errors after which reading stops.
-constexpr int kMaxProblems = 20;
-
-/// Bounds of time and memory. Longer lines are refused (KS0116) and skipped; more operations and source
-/// comments end the reading (KS0125).
-constexpr std::size_t kMaxLineBytes = 64 * 1024;
-constexpr std::size_t kMaxOperations = 10'000'000;
+constexpr int kMaxProblems = kMaxErrors;
 
 /// Reads knitout 2 (textiles-lab/knitout, text of version 0.6). Any bytes are safe; time is linear in their
 /// number.

@@ -1,5 +1,6 @@
 #include "core/base/message_table.h"
 #include "core/formats/knitout/reader.h"
+#include "core/formats/text_lines.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,0 +1,411 @@
+#include "core/formats/kcode/reader.h"
+
+#include "core/formats/kcode/layout.h"
+#include "core/formats/kcode/needle_line.h"
+#include "core/formats/program_sink.h"
+#include "core/formats/text.h"
+#include "core/formats/text_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace knittsim::formats::kcode {
+
+using machine::Bed;
+using machine::CarrierSet;
+using machine::Direction;
+using machine::Needle;
+using machine::OperationKind;
+
+namespace {
+
+constexpr double kMaxRack = 100;
+constexpr double kMaxNumber = 1'000'000;
+
+/// What a bed does in a pass.
+enum class BedWork { Knit, Tuck, Give, TakeLeft, TakeRight };
+
+std::optional<BedWork> bedWork(std::string_view name) {
+    constexpr std::array<std::pair<std::string_view, BedWork>, 5> kNames{{{"Kn", BedWork::Knit},
+                                                                          {"Tu", BedWork::Tuck},
+                                                                          {"Tr", BedWork::Give},
+                                                                          {"Rl", BedWork::TakeLeft},
+                                                                          {"Rr", BedWork::TakeRight}}};
+    for (const auto& [known, work] : kNames) {
+        if (known == name) {
+            return work;
+        }
+    }
+    return std::nullopt;
+}
+
+bool takes(BedWork work) {
+    return work == BedWork::TakeLeft || work == BedWork::TakeRight;
+}
+
+bool startsWith(std::string_view text, std::string_view prefix) {
+    return text.substr(0, prefix.size()) == prefix;
+}
+
+/// The action line: ">> Kn-Kn 5 100 100".
+struct Action {
+    Direction direction = Direction::Right;
+    BedWork front = BedWork::Knit;
+    BedWork rear = BedWork::Knit;
+    int carrier = 0;
+    double speed = 0;
+    double roller = 0;
+};
+
+class Reader {
+public:
+    Reader(std::string_view text, const std::string& file)
+        : m_problems(file, kMaxErrors), m_lines(text, m_problems), m_sink(m_program, m_problems) {
+        m_program.file = file;
+        m_program.header.machine = "Kniterate";
+        m_program.header.position = "Keep";
+        m_program.header.width = kNeedles;
+        for (int i = 0; i < kCarriers; ++i) {
+            m_program.header.carriers.push_back({std::to_string(i + 1), i, false, {}});
+        }
+    }
+
+    Result<machine::Program> run();
+
+private:
+    struct Bar {
+        std::string needles;
+        std::string sizes;
+    };
+
+    void readLine(std::string_view line);
+    void readOther(std::string_view line);
+    void readComment(std::string_view line);
+    bool expect(int place, std::string_view line);
+    void readNeedles(std::string_view prefix, std::string_view line, Bar& bar);
+    void readSizes(std::string_view line, Bar& bar);
+    void readRack(std::string_view text);
+    void readAction(std::string_view line);
+    std::optional<Action> parseAction(std::string_view line);
+    void carryOut(const Action& action);
+    void comeIn(int carrier);
+    void work(const Action& action, const CarrierSet& carriers);
+    void workNeedle(const Action& action, const CarrierSet& carriers, bool front, int index);
+    void setSize(const Bar& bar, int index);
+    void setOthers(const Action& action);
+    void finish();
+    Spot here(int column = 1) const { return {m_lines.number(), column}; }
+
+    machine::Program m_program;
+    Problems m_problems;
+    TextLines m_lines;
+    ProgramSink m_sink;
+    Bar m_front;
+    Bar m_rear;
+    int m_place = 0; ///< lines of the pass that were there: FRNT, STIF, REAR, STIR
+    bool m_bad = false; ///< a line of the pass is wrong, so it is not carried out
+    bool m_out = false; ///< the carrier goes out after the pass
+    bool m_anyPass = false;
+    std::array<bool, kCarriers> m_in{};
+    double m_speed = 100;
+    double m_roller = 100;
+};
+
+Result<machine::Program> Reader::run() {
+    while (m_lines.next()) {
+        m_sink.setLine(m_lines.number());
+        readLine(m_lines.line());
+    }
+    finish();
+    if (m_problems.errorCount() > 0) {
+        return Result<machine::Program>::failure(m_problems.take());
+    }
+    return {std::move(m_program), m_problems.take()};
+}
+
+void Reader::readLine(std::string_view line) {
+    if (startsWith(line, kFrontPrefix)) {
+        readNeedles(kFrontPrefix, line, m_front);
+    } else if (startsWith(line, kFrontSizes)) {
+        readSizes(line, m_front);
+    } else if (startsWith(line, kRearPrefix)) {
+        readNeedles(kRearPrefix, line, m_rear);
+    } else if (startsWith(line, kRearSizes)) {
+        readSizes(line, m_rear);
+    } else if (startsWith(line, kRightwards) || startsWith(line, kLeftwards)) {
+        readAction(line);
+    } else if (startsWith(line, kComment)) {
+        readComment(line);
+    } else {
+        readOther(line);
+    }
+}
+
+void Reader::readComment(std::string_view line) {
+    const std::string_view text = trim(line);
+    m_out = m_out || (text.size() >= kCarrierOut.size() &&
+                      text.substr(text.size() - kCarrierOut.size()) == kCarrierOut);
+}
+
+/// HOME, RACK and texts to show stand between the passes only.
+void Reader::readOther(std::string_view line) {
+    const std::string_view text = trim(line);
+    if (text.empty()) {
+        return;
+    }
+    if (startsWith(text, kRackPrefix)) {
+        readRack(text.substr(kRackPrefix.size()));
+    } else if (m_place != 0) {
+        m_problems.error("KS0141", here(), {quoted(text), "the next line of the pass"});
+        m_place = 0;
+        m_bad = false;
+    } else if (text != kHome) {
+        m_problems.warn("KS0142", here(), {quoted(text)});
+        m_sink.pause(std::string(text));
+    }
+}
+
+/// The lines of a pass have one order.
+bool Reader::expect(int place, std::string_view line) {
+    if (m_place == place) {
+        ++m_place;
+        return true;
+    }
+    constexpr std::array<const char*, 5> kExpected{"FRNT: or the next pass", "STIF:", "REAR:", "STIR:",
+                                                   "the action, for example '>> Kn-Kn 5 100 100'"};
+    m_problems.error("KS0141", here(),
+                     {quoted(line.substr(0, 8)), kExpected[static_cast<std::size_t>(m_place)]});
+    m_place = 0;
+    m_bad = true;
+    return false;
+}
+
+void Reader::readNeedles(std::string_view prefix, std::string_view line, Bar& bar) {
+    if (!expect(&bar == &m_front ? 0 : 2, line)) {
+        return;
+    }
+    m_bad = m_bad && &bar != &m_front;
+    NeedleLine needles = readNeedleLine(trim(line).substr(prefix.size()));
+    if (needles.badColumn != 0) {
+        m_problems.error("KS0143", here(static_cast<int>(prefix.size()) + needles.badColumn));
+        m_bad = true;
+    }
+    bar.needles = std::move(needles.works);
+}
+
+void Reader::readSizes(std::string_view line, Bar& bar) {
+    if (!expect(&bar == &m_front ? 1 : 3, line)) {
+        return;
+    }
+    const std::string_view sizes = trim(line).substr(kFrontSizes.size());
+    const auto bad = std::find_if(sizes.begin(), sizes.end(), [](char sign) { return numberOf(sign) < 0; });
+    if (bad != sizes.end()) {
+        m_problems.error("KS0144", here(static_cast<int>(kFrontSizes.size() + 1 + (bad - sizes.begin()))),
+                         {quoted(std::string_view(&*bad, 1))});
+        m_bad = true;
+        return;
+    }
+    if (!m_bad && sizes.size() != bar.needles.size() + 2 * kMargin) {
+        m_problems.error("KS0145", here(), {std::to_string(sizes.size()),
+                                            std::to_string(bar.needles.size() + 2 * kMargin)});
+        m_bad = true;
+        return;
+    }
+    bar.sizes = sizes;
+}
+
+void Reader::readRack(std::string_view text) {
+    const auto rack = parseNumber(trim(text));
+    if (!rack) {
+        m_problems.error("KS0108", here(static_cast<int>(kRackPrefix.size()) + 1), {quoted(text), "a number"});
+    } else if (std::abs(*rack) > kMaxRack) {
+        m_problems.error("KS0119", here(static_cast<int>(kRackPrefix.size()) + 1),
+                         {"racking", quoted(text), formatNumber(-kMaxRack), formatNumber(kMaxRack)});
+    } else {
+        m_sink.rack(*rack);
+    }
+}
+
+void Reader::readAction(std::string_view line) {
+    if (!expect(4, line)) {
+        return;
+    }
+    m_place = 0;
+    m_anyPass = true;
+    const auto action = parseAction(line);
+    if (!action || std::exchange(m_bad, false)) {
+        m_out = false;
+        return;
+    }
+    if (m_front.needles.size() != m_rear.needles.size()) {
+        m_problems.error("KS0145", here(), {std::to_string(m_rear.needles.size()),
+                                            std::to_string(m_front.needles.size())});
+        return;
+    }
+    carryOut(*action);
+}
+
+std::optional<Action> Reader::parseAction(std::string_view line) {
+    const auto wrong = [&](const Token& token, const char* expected) {
+        m_problems.error("KS0108", here(token.column), {quoted(token.text), expected});
+        return std::nullopt;
+    };
+    Tokens tokens(line);
+    Action action;
+    action.direction = tokens.next().text[0] == '>' ? Direction::Right : Direction::Left;
+    const Token type = tokens.next();
+    const std::size_t dash = type.text.find('-');
+    const auto front = bedWork(type.text.substr(0, dash));
+    const auto rear = dash == std::string_view::npos ? std::nullopt : bedWork(type.text.substr(dash + 1));
+    const bool stitches = front && rear && *front <= BedWork::Tuck && *rear <= BedWork::Tuck;
+    const bool moves = front && rear && ((*front == BedWork::Give && takes(*rear)) ||
+                                         (takes(*front) && *rear == BedWork::Give));
+    if (!stitches && !moves) {
+        return wrong(type, "a type such as Kn-Kn, Kn-Tu, Tr-Rr or Rl-Tr");
+    }
+    action.front = *front;
+    action.rear = *rear;
+    const Token carrier = tokens.next();
+    const auto number = parseInteger(carrier.text);
+    if (!number || *number < 0 || *number > kCarriers) {
+        return wrong(carrier, "a carrier from 0 to 6");
+    }
+    action.carrier = static_cast<int>(*number);
+    const std::array<double*, 2> values{&action.speed, &action.roller};
+    // Editors write one more number, which is not known.
+    for (std::size_t i = 0; i < 3 && (i < 2 || !tokens.peek().text.empty()); ++i) {
+        const Token token = tokens.next();
+        const auto value = parseNumber(token.text);
+        if (!value || std::abs(*value) > kMaxNumber) {
+            return wrong(token, i == 0 ? "a speed" : "a take-down");
+        }
+        if (i < 2) {
+            *values[i] = *value;
+        }
+    }
+    if (!tokens.peek().text.empty()) {
+        return wrong(tokens.peek(), "the end of the line");
+    }
+    return action;
+}
+
+void Reader::comeIn(int carrier) {
+    bool& in = m_in[static_cast<std::size_t>(carrier - 1)];
+    if (!in) {
+        m_sink.carriers(OperationKind::In, {carrier - 1});
+        in = true;
+    }
+}
+
+void Reader::carryOut(const Action& action) {
+    CarrierSet carriers;
+    if (action.carrier != 0) {
+        carriers = {action.carrier - 1};
+        comeIn(action.carrier);
+    }
+    const auto any = [](const Bar& bar) { return bar.needles.find(kWorks) != std::string::npos; };
+    if (any(m_front) || any(m_rear)) {
+        setOthers(action);
+        work(action, carriers);
+    }
+    if (std::exchange(m_out, false) && action.carrier != 0) {
+        m_sink.carriers(OperationKind::Out, carriers);
+        m_in[static_cast<std::size_t>(action.carrier - 1)] = false;
+    }
+}
+
+/// Speed, and take-down of passes that make loops; transfers have none of their own.
+void Reader::setOthers(const Action& action) {
+    if (action.speed != std::exchange(m_speed, action.speed)) {
+        m_sink.extension("x-speed-number " + formatNumber(action.speed));
+    }
+    const bool stitches = action.front <= BedWork::Tuck;
+    if (stitches && action.roller != std::exchange(m_roller, action.roller)) {
+        m_sink.extension("x-roller-advance " + formatNumber(action.roller));
+    }
+}
+
+/// The needles in the order in which the carriage passes them; a rear needle lies `rack` further right.
+void Reader::work(const Action& action, const CarrierSet& carriers) {
+    const int count = static_cast<int>(m_front.needles.size());
+    const double rack = m_sink.rack();
+    const int shift = static_cast<int>(std::floor(rack));
+    const int first = std::min(0, shift);
+    const int end = std::max(count, count + shift);
+    const bool rightwards = action.direction == Direction::Right;
+    // Facing needles of aligned beds are worked front first either way.
+    const bool frontFirst = rightwards || rack == shift;
+    for (int i = 0; i < end - first && !m_problems.full(); ++i) {
+        const int slot = rightwards ? first + i : end - 1 - i;
+        workNeedle(action, carriers, frontFirst, frontFirst ? slot : slot - shift);
+        workNeedle(action, carriers, !frontFirst, frontFirst ? slot - shift : slot);
+    }
+}
+
+void Reader::setSize(const Bar& bar, int index) {
+    m_sink.stitchNumber(numberOf(bar.sizes[static_cast<std::size_t>(index + kMargin)]));
+}
+
+void Reader::workNeedle(const Action& action, const CarrierSet& carriers, bool front, int index) {
+    const Bar& bar = front ? m_front : m_rear;
+    const auto works = [](const Bar& b, int i) {
+        return i >= 0 && i < static_cast<int>(b.needles.size()) && b.needles[static_cast<std::size_t>(i)] == kWorks;
+    };
+    const BedWork kind = front ? action.front : action.rear;
+    if (!works(bar, index) || takes(kind)) {
+        return;
+    }
+    const Needle needle{front ? Bed::Front : Bed::Rear, index + 1};
+    if (kind != BedWork::Give) {
+        if (!carriers.empty()) {
+            setSize(bar, index);
+        }
+        m_sink.stitch(kind == BedWork::Knit ? OperationKind::Knit : OperationKind::Tuck, needle,
+                      action.direction, carriers);
+        return;
+    }
+    const int shift = static_cast<int>(std::floor(m_sink.rack()));
+    const bool received = works(front ? m_rear : m_front, front ? index - shift : index + shift);
+    if (!carriers.empty()) {
+        setSize(bar, index);
+    }
+    if (!carriers.empty() && !received) {
+        m_sink.stitch(OperationKind::Knit, needle, action.direction, carriers);
+        return;
+    }
+    if (m_sink.rack() != shift) {
+        m_problems.error("KS0146", here(), {machine::toString(needle), formatNumber(m_sink.rack())});
+        return;
+    }
+    m_sink.transfer(needle, front ? Bed::Rear : Bed::Front, action.direction, carriers);
+}
+
+void Reader::finish() {
+    const Spot end{std::max(m_lines.number(), 1), 1};
+    if (m_problems.errorCount() > 0) {
+        return;
+    }
+    if (m_place != 0) {
+        m_problems.error("KS0141", end, {"the end of the file", "the rest of the pass"});
+    } else if (!m_anyPass) {
+        // Another kind of file: what was said of its lines does not matter.
+        m_problems = Problems(m_program.file, kMaxErrors);
+        m_problems.error("KS0140", {1, 1});
+    }
+    for (int carrier = 1; carrier <= kCarriers; ++carrier) {
+        if (m_in[static_cast<std::size_t>(carrier - 1)]) {
+            m_sink.carriers(OperationKind::Out, {carrier - 1});
+        }
+    }
+}
+
+} // namespace
+
+Result<machine::Program> parse(std::string_view text, const std::string& file) {
+    return Reader(text, file).run();
+}
+
+} // namespace knittsim::formats::kcode
