@@ -108,7 +108,7 @@ void addInfo(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<InfoOptions>();
     CLI::App* command =
         app.add_subcommand("info", "Count operations, needles, loops, bonding points and yarn");
-    command->add_option("file", options->load.file, "knitout file")->required();
+    command->add_option("file", options->load.file, "machine file")->required();
     command->add_flag("--json", options->json, "print JSON");
     command->callback([&chosen, options] { chosen = [options] { return runInfo(*options); }; });
 }

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
     addInfo(app, chosen);
     addRelax(app, chosen);
     addRender(app, chosen);
+    addConvert(app, chosen);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

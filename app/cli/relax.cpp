@@ -171,7 +171,7 @@ int runRelax(const RelaxOptions& options) {
 void addRelax(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<RelaxOptions>();
     CLI::App* command = app.add_subcommand("relax", "Let the fabric settle and measure it");
-    command->add_option("file", options->load.file, "knitout file")->required();
+    command->add_option("file", options->load.file, "machine file")->required();
     command->add_option("--model", options->model, "what settles")
         ->check(CLI::IsMember({"bonding-points"}))
         ->capture_default_str();

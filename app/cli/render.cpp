@@ -95,7 +95,7 @@ void addRender(CLI::App& app, Command& chosen) {
     static const std::map<std::string, ViewSide> kSides{{"front", ViewSide::Front}, {"back", ViewSide::Back}};
     auto options = std::make_shared<RenderOptions>();
     CLI::App* command = app.add_subcommand("render", "Draw the fabric into a PNG file; needs no display");
-    command->add_option("file", options->load.file, "knitout file")->required();
+    command->add_option("file", options->load.file, "machine file")->required();
     command->add_option("-o", options->picture, "PNG file to write")->required();
     command->add_option("--style", options->style, "strokes, yarn or mesh")
         ->transform(CLI::CheckedTransformer(kStyles));
