@@ -106,7 +106,7 @@ protected:
         const auto difference = test::compareBlocks(reference.value(), image.value());
         EXPECT_EQ(difference.blocks, 0) << difference.text();
         if (difference.blocks > 0) {
-            EXPECT_TRUE(writePng(name + ".new.png", image.value()));   // in the build folder
+            EXPECT_TRUE(writePng(name + ".new.png", image.value())); // in the build folder
         }
     }
 
