@@ -32,7 +32,8 @@ void checkKnitout(const machine::Program& program) {
 void checkAgain(const machine::Program& program, const Result<machine::Program>& again, const char* format) {
     require(again.hasValue(), std::string("written ") + format + " opens");
     const std::string difference = differenceInMeaning(program, again.value());
-    require(difference.empty(), std::string(format) + ": " + difference + "\n" + formats::knitout::write(program));
+    require(difference.empty(),
+            std::string(format) + ": " + difference + "\n" + formats::knitout::write(program));
 }
 
 /// Going to a place directly and step by step gives the same machine.

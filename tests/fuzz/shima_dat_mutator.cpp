@@ -13,8 +13,8 @@ using knittsim::formats::shima_dat::Raster;
 
 /// Changes pixels and swaps rows of a picture, so that most inputs stay pictures.
 void change(Raster& raster, std::minstd_rand& random) {
-    constexpr std::array<std::uint8_t, 24> kColours{0,  13, 16,  51,  52,  11,  12, 3,  41, 42,  88, 20,
-                                                    30, 101, 102, 216, 217, 107, 129, 1,  10, 255, 90, 100};
+    constexpr std::array<std::uint8_t, 24> kColours{0,  13,  16,  51,  52,  11,  12,  3, 41, 42,  88, 20,
+                                                    30, 101, 102, 216, 217, 107, 129, 1, 10, 255, 90, 100};
     const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
     const auto height = static_cast<std::size_t>(raster.height);
     if (below(4) == 0) {

@@ -44,8 +44,9 @@ private:
 
 std::string describe(const Timeline& timeline, LoopIndex index) {
     const Loop& loop = timeline.loops().loops[static_cast<std::size_t>(index)];
-    return std::string(machine::toString(loop.kind)) + (loop.direction == machine::Direction::Right ? " + " : " - ") +
-           machine::toString(loop.needle) + ' ' + carrierName(timeline, loop) + " of line " +
+    return std::string(machine::toString(loop.kind)) +
+           (loop.direction == machine::Direction::Right ? " + " : " - ") + machine::toString(loop.needle) +
+           ' ' + carrierName(timeline, loop) + " of line " +
            std::to_string(timeline.program().operations[static_cast<std::size_t>(loop.operation)].line);
 }
 
@@ -73,7 +74,8 @@ std::string differenceInMeaning(const machine::Program& first, const machine::Pr
             const auto held = endA.loopsOn({static_cast<Bed>(bed), index});
             const auto other = endB.loopsOn({static_cast<Bed>(bed), index + shift});
             if (!std::equal(held.begin(), held.end(), other.begin(), other.end())) {
-                return "at the end the loops on " + machine::toString(Needle{static_cast<Bed>(bed), index}) + " differ";
+                return "at the end the loops on " + machine::toString(Needle{static_cast<Bed>(bed), index}) +
+                       " differ";
             }
         }
     }

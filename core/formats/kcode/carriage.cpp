@@ -117,8 +117,8 @@ void Carriage::placeCarrier(Stroke& stroke, const Pass& pass, int carrier) {
     if (stroke.direction == Direction::Left) {
         stroke.carrierRight = m_carriers[index];
         const double stop = frontNeedle(pass.firstSlot()) - m_spacing.distance;
-        stroke.carrierLeft = pass.gripper == Gripper::Out ? kParking[index]
-                                                          : freeStop(carrier, stop, -m_spacing.carriers);
+        stroke.carrierLeft =
+            pass.gripper == Gripper::Out ? kParking[index] : freeStop(carrier, stop, -m_spacing.carriers);
         m_carriers[index] = stroke.carrierLeft;
     } else {
         stroke.carrierLeft = m_carriers[index];
@@ -215,9 +215,7 @@ void Carriage::transferStroke(const Pass& pass, bool fromFront, const std::vecto
     }
     stroke.frontSizes = front.text(stroke.direction, kNoSize);
     stroke.rearSizes = rear.text(stroke.direction, kNoSize);
-    const auto needle = [&](int slot) {
-        return fromFront ? frontNeedle(slot) : rearNeedle(slot, pass.rack);
-    };
+    const auto needle = [&](int slot) { return fromFront ? frontNeedle(slot) : rearNeedle(slot, pass.rack); };
     setStops(stroke, needle(slots.front()) - m_spacing.distance, needle(slots.back()) + m_spacing.distance);
     push(std::move(stroke));
 }

@@ -70,7 +70,7 @@ private:
     double m_left = -11.5; ///< where the carriage stops
     double m_right = kNeedles - 1 + 11.5;
     std::string m_message; ///< shown before the next stroke of transfers
-    double m_rack = 0; ///< of the last stroke with stitches
+    double m_rack = 0;     ///< of the last stroke with stitches
 };
 
 } // namespace knittsim::formats::kcode

@@ -9,7 +9,8 @@ namespace knittsim::formats::kcode {
 
 constexpr int kMargin = 15;
 constexpr int kNeedles = 252;
-constexpr int kWrittenNeedles = kNeedles + 1; ///< in a stroke that works; the open knitout tool writes one more there
+constexpr int kWrittenNeedles =
+    kNeedles + 1; ///< in a stroke that works; the open knitout tool writes one more there
 constexpr int kCarriers = 6;
 
 constexpr char kMarginSign = '.';

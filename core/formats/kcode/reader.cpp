@@ -1,5 +1,6 @@
 #include "core/formats/kcode/reader.h"
 
+#include "core/formats/kcode/action.h"
 #include "core/formats/kcode/layout.h"
 #include "core/formats/kcode/needle_line.h"
 #include "core/formats/program_sink.h"
@@ -23,42 +24,10 @@ using machine::OperationKind;
 namespace {
 
 constexpr double kMaxRack = 100;
-constexpr double kMaxNumber = 1'000'000;
-
-/// What a bed does in a pass.
-enum class BedWork { Knit, Tuck, Give, TakeLeft, TakeRight };
-
-std::optional<BedWork> bedWork(std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, BedWork>, 5> kNames{{{"Kn", BedWork::Knit},
-                                                                          {"Tu", BedWork::Tuck},
-                                                                          {"Tr", BedWork::Give},
-                                                                          {"Rl", BedWork::TakeLeft},
-                                                                          {"Rr", BedWork::TakeRight}}};
-    for (const auto& [known, work] : kNames) {
-        if (known == name) {
-            return work;
-        }
-    }
-    return std::nullopt;
-}
-
-bool takes(BedWork work) {
-    return work == BedWork::TakeLeft || work == BedWork::TakeRight;
-}
 
 bool startsWith(std::string_view text, std::string_view prefix) {
     return text.substr(0, prefix.size()) == prefix;
 }
-
-/// The action line: ">> Kn-Kn 5 100 100".
-struct Action {
-    Direction direction = Direction::Right;
-    BedWork front = BedWork::Knit;
-    BedWork rear = BedWork::Knit;
-    int carrier = 0;
-    double speed = 0;
-    double roller = 0;
-};
 
 class Reader {
 public:
@@ -89,7 +58,6 @@ private:
     void readSizes(std::string_view line, Bar& bar);
     void readRack(std::string_view text);
     void readAction(std::string_view line);
-    std::optional<Action> parseAction(std::string_view line);
     void carryOut(const Action& action);
     void comeIn(int carrier);
     void work(const Action& action, const CarrierSet& carriers);
@@ -105,7 +73,7 @@ private:
     ProgramSink m_sink;
     Bar m_front;
     Bar m_rear;
-    int m_place = 0; ///< lines of the pass that were there: FRNT, STIF, REAR, STIR
+    int m_place = 0;    ///< lines of the pass that were there: FRNT, STIF, REAR, STIR
     bool m_bad = false; ///< a line of the pass is wrong, so it is not carried out
     bool m_out = false; ///< the carrier goes out after the pass
     bool m_anyPass = false;
@@ -174,8 +142,8 @@ bool Reader::expect(int place, std::string_view line) {
         ++m_place;
         return true;
     }
-    constexpr std::array<const char*, 5> kExpected{"FRNT: or the next pass", "STIF:", "REAR:", "STIR:",
-                                                   "the action, for example '>> Kn-Kn 5 100 100'"};
+    constexpr std::array<const char*, 5> kExpected{
+        "FRNT: or the next pass", "STIF:", "REAR:", "STIR:", "the action, for example '>> Kn-Kn 5 100 100'"};
     m_problems.error("KS0141", here(),
                      {quoted(line.substr(0, 8)), kExpected[static_cast<std::size_t>(m_place)]});
     m_place = 0;
@@ -209,8 +177,8 @@ void Reader::readSizes(std::string_view line, Bar& bar) {
         return;
     }
     if (!m_bad && sizes.size() != bar.needles.size() + 2 * kMargin) {
-        m_problems.error("KS0145", here(), {std::to_string(sizes.size()),
-                                            std::to_string(bar.needles.size() + 2 * kMargin)});
+        m_problems.error("KS0145", here(),
+                         {std::to_string(sizes.size()), std::to_string(bar.needles.size() + 2 * kMargin)});
         m_bad = true;
         return;
     }
@@ -220,7 +188,8 @@ void Reader::readSizes(std::string_view line, Bar& bar) {
 void Reader::readRack(std::string_view text) {
     const auto rack = parseNumber(trim(text));
     if (!rack) {
-        m_problems.error("KS0108", here(static_cast<int>(kRackPrefix.size()) + 1), {quoted(text), "a number"});
+        m_problems.error("KS0108", here(static_cast<int>(kRackPrefix.size()) + 1),
+                         {quoted(text), "a number"});
     } else if (std::abs(*rack) > kMaxRack) {
         m_problems.error("KS0119", here(static_cast<int>(kRackPrefix.size()) + 1),
                          {"racking", quoted(text), formatNumber(-kMaxRack), formatNumber(kMaxRack)});
@@ -235,61 +204,17 @@ void Reader::readAction(std::string_view line) {
     }
     m_place = 0;
     m_anyPass = true;
-    const auto action = parseAction(line);
+    const auto action = parseAction(line, m_lines.number(), m_problems);
     if (!action || std::exchange(m_bad, false)) {
         m_out = false;
         return;
     }
     if (m_front.needles.size() != m_rear.needles.size()) {
-        m_problems.error("KS0145", here(), {std::to_string(m_rear.needles.size()),
-                                            std::to_string(m_front.needles.size())});
+        m_problems.error("KS0145", here(),
+                         {std::to_string(m_rear.needles.size()), std::to_string(m_front.needles.size())});
         return;
     }
     carryOut(*action);
-}
-
-std::optional<Action> Reader::parseAction(std::string_view line) {
-    const auto wrong = [&](const Token& token, const char* expected) {
-        m_problems.error("KS0108", here(token.column), {quoted(token.text), expected});
-        return std::nullopt;
-    };
-    Tokens tokens(line);
-    Action action;
-    action.direction = tokens.next().text[0] == '>' ? Direction::Right : Direction::Left;
-    const Token type = tokens.next();
-    const std::size_t dash = type.text.find('-');
-    const auto front = bedWork(type.text.substr(0, dash));
-    const auto rear = dash == std::string_view::npos ? std::nullopt : bedWork(type.text.substr(dash + 1));
-    const bool stitches = front && rear && *front <= BedWork::Tuck && *rear <= BedWork::Tuck;
-    const bool moves = front && rear && ((*front == BedWork::Give && takes(*rear)) ||
-                                         (takes(*front) && *rear == BedWork::Give));
-    if (!stitches && !moves) {
-        return wrong(type, "a type such as Kn-Kn, Kn-Tu, Tr-Rr or Rl-Tr");
-    }
-    action.front = *front;
-    action.rear = *rear;
-    const Token carrier = tokens.next();
-    const auto number = parseInteger(carrier.text);
-    if (!number || *number < 0 || *number > kCarriers) {
-        return wrong(carrier, "a carrier from 0 to 6");
-    }
-    action.carrier = static_cast<int>(*number);
-    const std::array<double*, 2> values{&action.speed, &action.roller};
-    // Editors write one more number, which is not known.
-    for (std::size_t i = 0; i < 3 && (i < 2 || !tokens.peek().text.empty()); ++i) {
-        const Token token = tokens.next();
-        const auto value = parseNumber(token.text);
-        if (!value || std::abs(*value) > kMaxNumber) {
-            return wrong(token, i == 0 ? "a speed" : "a take-down");
-        }
-        if (i < 2) {
-            *values[i] = *value;
-        }
-    }
-    if (!tokens.peek().text.empty()) {
-        return wrong(tokens.peek(), "the end of the line");
-    }
-    return action;
 }
 
 void Reader::comeIn(int carrier) {
@@ -352,7 +277,8 @@ void Reader::setSize(const Bar& bar, int index) {
 void Reader::workNeedle(const Action& action, const CarrierSet& carriers, bool front, int index) {
     const Bar& bar = front ? m_front : m_rear;
     const auto works = [](const Bar& b, int i) {
-        return i >= 0 && i < static_cast<int>(b.needles.size()) && b.needles[static_cast<std::size_t>(i)] == kWorks;
+        return i >= 0 && i < static_cast<int>(b.needles.size()) &&
+               b.needles[static_cast<std::size_t>(i)] == kWorks;
     };
     const BedWork kind = front ? action.front : action.rear;
     if (!works(bar, index) || takes(kind)) {

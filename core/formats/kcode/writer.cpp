@@ -88,7 +88,8 @@ bool onBed(const Pass& pass, int offset) {
     const int rack = static_cast<int>(std::floor(pass.rack));
     const auto good = [](int needle) { return needle >= 0 && needle < kNeedles; };
     return std::all_of(pass.cells.begin(), pass.cells.end(), [&](const auto& entry) {
-        const bool rear = entry.second.rear != passes::Work::None || entry.second.front >= passes::Work::Transfer;
+        const bool rear =
+            entry.second.rear != passes::Work::None || entry.second.front >= passes::Work::Transfer;
         return good(entry.first + offset) && (!rear || good(entry.first - rack + offset));
     });
 }
@@ -118,7 +119,8 @@ std::string needleLine(const Stroke& stroke, const std::string& needles) {
 class Text {
 public:
     explicit Text(std::string name) {
-        std::replace_if(name.begin(), name.end(), [](char c) { return c >= '\0' && c < ' '; }, ' ');
+        std::replace_if(
+            name.begin(), name.end(), [](char c) { return c >= '\0' && c < ' '; }, ' ');
         line(kHome);
         line(std::string(kRackPrefix) + '0');
         line("// " + name);
@@ -162,7 +164,7 @@ private:
 /// A text that cannot be taken for anything else.
 bool isMessage(std::string_view text) {
     const auto begins = [&](std::string_view word) { return text.substr(0, word.size()) == word; };
-    const auto words = {kHome,       kComment,  kRightwards, kLeftwards, kRackPrefix,
+    const auto words = {kHome,        kComment,    kRightwards, kLeftwards, kRackPrefix,
                         kFrontPrefix, kFrontSizes, kRearPrefix, kRearSizes};
     return trim(text).size() == text.size() && !text.empty() && text.find('\n') == std::string_view::npos &&
            std::none_of(words.begin(), words.end(), begins);

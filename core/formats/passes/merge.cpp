@@ -89,8 +89,8 @@ bool presserFits(const Pass& pass, const Pass& next) {
 /// Yarns come in at the beginning of a pass and go out at its end.
 bool endsFit(const Pass& pass, const Pass& next) {
     const bool hookBefore = pass.hook == Hook::In || pass.hook == Hook::Release || pass.hook == Hook::None;
-    const bool hookFits = (hookBefore && next.hook == Hook::None) ||
-                          (pass.hook == Hook::None && next.hook == Hook::Out);
+    const bool hookFits =
+        (hookBefore && next.hook == Hook::None) || (pass.hook == Hook::None && next.hook == Hook::Out);
     const bool gripperFits = (pass.gripper != Gripper::Out && next.gripper == Gripper::None) ||
                              (pass.gripper == Gripper::None && next.gripper == Gripper::Out);
     return hookFits && gripperFits;

@@ -27,15 +27,7 @@ struct Sizes {
     int rear = -1;
 };
 
-enum class PassKind : std::uint8_t {
-    Stitch,
-    Amiss,
-    Split,
-    SliderSplit,
-    Transfer,
-    ToSliders,
-    FromSliders
-};
+enum class PassKind : std::uint8_t { Stitch, Amiss, Split, SliderSplit, Transfer, ToSliders, FromSliders };
 enum class Gripper : std::uint8_t { None, In, Out };
 enum class Hook : std::uint8_t { None, In, Release, Out };
 enum class Presser : std::uint8_t { Unset, Off, On, Auto };

@@ -38,7 +38,8 @@ std::optional<Diagnostic> firstFault(const machine::Program& program) {
 class Planner {
 public:
     Planner(const machine::Program& program, const PassRules& rules)
-        : m_program(program), m_rules(rules), m_settings(rules), m_mover(rules, program.header.carriers.size()) {}
+        : m_program(program), m_rules(rules), m_settings(rules),
+          m_mover(rules, program.header.carriers.size()) {}
 
     Result<std::vector<Pass>> run();
 
@@ -62,7 +63,7 @@ private:
     YarnMover m_mover;
     const Operation* m_op = nullptr;
     std::optional<Diagnostic> m_error;
-    std::vector<Needle> m_onSliders;        ///< split there and not given back yet
+    std::vector<Needle> m_onSliders;          ///< split there and not given back yet
     std::optional<Direction> m_hookDirection; ///< in which the hook's yarn came in
     CarrierSet m_hook;
 };
@@ -341,7 +342,8 @@ bool Planner::refuse(std::string why) {
     }
     Place place{.file = m_program.file, .line = m_op->line};
     place.operation = static_cast<int>(m_op - m_program.operations.data());
-    m_error = Diagnostic{m_rules.refusal, Severity::Error, std::move(place), {std::move(what), std::move(why)}};
+    m_error =
+        Diagnostic{m_rules.refusal, Severity::Error, std::move(place), {std::move(what), std::move(why)}};
     return false;
 }
 

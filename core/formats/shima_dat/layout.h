@@ -7,8 +7,8 @@
 #include <optional>
 
 /// The picture as programs of the open knitout tools lay it out. One row is one carriage pass, the lowest
-/// first; a column is a slot (passes::Pass); to the left and right of the columns stand option lines, pairs of
-/// a mark and a value.
+/// first; a column is a slot (passes::Pass); to the left and right of the columns stand option lines, pairs
+/// of a mark and a value.
 namespace knittsim::formats::shima_dat {
 
 constexpr std::size_t kHeaderBytes = 0x200;

@@ -93,8 +93,7 @@ std::string encode(const Raster& raster) {
         const auto row = raster.row(y);
         for (auto at = row.begin(); at != row.end();) {
             const auto room = std::min<std::ptrdiff_t>(row.end() - at, kMaxRun);
-            const auto end =
-                std::find_if(at, at + room, [&](std::uint8_t colour) { return colour != *at; });
+            const auto end = std::find_if(at, at + room, [&](std::uint8_t colour) { return colour != *at; });
             bytes += static_cast<char>(*at);
             bytes += static_cast<char>(end - at);
             at = end;

@@ -43,8 +43,9 @@ std::optional<CarrierSet> carriersOf(int number) {
 }
 
 OperationKind kindOf(Work work) {
-    return work == Work::Knit ? OperationKind::Knit
-                              : work == Work::Tuck ? OperationKind::Tuck : OperationKind::Miss;
+    return work == Work::Knit   ? OperationKind::Knit
+           : work == Work::Tuck ? OperationKind::Tuck
+                                : OperationKind::Miss;
 }
 
 class Reader {
@@ -109,9 +110,9 @@ std::uint8_t Reader::pixel(int row, int slot) const {
 /// A pass without yarn and stitch number over the whole width.
 bool Reader::isFrameRow(int row, std::uint8_t colour) const {
     const Options options = optionsOf(m_raster, m_frame, row);
-    const auto pixels = m_raster.row(row).subspan(
-        static_cast<std::size_t>(m_frame.firstColumn()),
-        static_cast<std::size_t>(m_frame.endColumn() - m_frame.firstColumn()));
+    const auto pixels =
+        m_raster.row(row).subspan(static_cast<std::size_t>(m_frame.firstColumn()),
+                                  static_cast<std::size_t>(m_frame.endColumn() - m_frame.firstColumn()));
     return options.right[right::kCarrier] == kNoCarrier && options.right[right::kStitch] == 0 &&
            std::all_of(pixels.begin(), pixels.end(), [&](std::uint8_t c) { return c == colour; });
 }
@@ -181,10 +182,10 @@ bool Reader::readCarriers(int row) {
 
 /// Option lines that the emulator does not know. Each is named once.
 void Reader::checkOthers(int row) {
-    constexpr std::uint32_t kLeft = 1U << 2 | 1U << 3 | 1U << 4 | 1U << 5 | 1U << 6 | 1U << 7 | 1U << 12 |
-                                    1U << 13;
-    constexpr std::uint32_t kRight = 1U << 3 | 1U << 5 | 1U << 6 | 1U << 9 | 1U << 10 | 1U << 11 | 1U << 13 |
-                                     1U << 15;
+    constexpr std::uint32_t kLeft =
+        1U << 2 | 1U << 3 | 1U << 4 | 1U << 5 | 1U << 6 | 1U << 7 | 1U << 12 | 1U << 13;
+    constexpr std::uint32_t kRight =
+        1U << 3 | 1U << 5 | 1U << 6 | 1U << 9 | 1U << 10 | 1U << 11 | 1U << 13 | 1U << 15;
     for (int line = 1; line <= kOptionLines; ++line) {
         const auto index = static_cast<std::size_t>(line);
         const auto say = [&](char side, std::uint8_t value, std::uint32_t known) {

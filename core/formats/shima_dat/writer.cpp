@@ -188,8 +188,9 @@ void Picture::writePosition(int position) {
 }
 
 void Picture::writeOptions(const Options& options) {
-    const std::uint8_t direction =
-        !options.direction ? 1 : *options.direction == Direction::Right ? kGoesRight : kGoesLeft;
+    const std::uint8_t direction = !options.direction                       ? 1
+                                   : *options.direction == Direction::Right ? kGoesRight
+                                                                            : kGoesLeft;
     for (int line = 1; line <= kOptionLines; ++line) {
         const auto index = static_cast<std::size_t>(line);
         const std::uint8_t mark = line == 1 ? direction : static_cast<std::uint8_t>(line);
@@ -209,8 +210,8 @@ void Picture::writePass(const Pass& pass, const Options& options) {
             shown.front = shown.front == passes::Work::Miss ? passes::Work::None : shown.front;
             shown.rear = shown.rear == passes::Work::Miss ? passes::Work::None : shown.rear;
         }
-        const auto* colour = std::find_if(kColours.begin(), kColours.end(),
-                                          [&](const Colour& c) { return c.cell == shown; });
+        const auto* colour =
+            std::find_if(kColours.begin(), kColours.end(), [&](const Colour& c) { return c.cell == shown; });
         at(m_y, slot) = colour != kColours.end() ? colour->number : kSoftMiss;
         if (pass.kind == PassKind::SliderSplit) {
             const bool front = cell.front == passes::Work::Split;
@@ -315,7 +316,8 @@ Result<std::string> write(const machine::Program& program) {
     for (const Pass& pass : list) {
         const auto carriers = carrierValue(pass, numbers);
         if (!carriers) {
-            return refusal(program, "carrier set beginning with " + program.header.carriers[pass.carriers[0]].name,
+            return refusal(program,
+                           "carrier set beginning with " + program.header.carriers[pass.carriers[0]].name,
                            "carriers are 1 to 10, and 10 stands in a pair only behind 2 to 9");
         }
         picture.writePass(pass, options.options(pass, *carriers));

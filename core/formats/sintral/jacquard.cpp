@@ -27,8 +27,8 @@ public:
             if (group.empty() || !std::all_of(group.begin(), group.end(), isSymbol)) {
                 return "a sign that is no symbol";
             }
-            if (count < 0 || m_row.size() + static_cast<std::size_t>(count) * group.size() >
-                                 Jacquard::kMaxColumns) {
+            if (count < 0 ||
+                m_row.size() + static_cast<std::size_t>(count) * group.size() > Jacquard::kMaxColumns) {
                 return "more than 10000 symbols in a row";
             }
             for (int i = 0; i < count; ++i) {

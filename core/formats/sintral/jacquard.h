@@ -15,9 +15,9 @@ public:
     static constexpr std::size_t kMaxColumns = 10'000;
     static constexpr std::size_t kMaxSymbols = std::size_t{64} << 20; ///< of all rows
 
-    /// Reads "1002 .AY6.3(G.)": a line number, then symbols, nX for n times X, n(XYZ) for n times a group; '$' at
-    /// the end of a line and at the beginning of the next joins them to one row. False, and KS0153, when it is
-    /// none.
+    /// Reads "1002 .AY6.3(G.)": a line number, then symbols, nX for n times X, n(XYZ) for n times a group;
+    /// '$' at the end of a line and at the beginning of the next joins them to one row. False, and KS0153,
+    /// when it is none.
     bool addLine(std::string_view line, Spot spot, Problems& problems);
 
     /// To be called at the end of the text.

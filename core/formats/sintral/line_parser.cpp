@@ -60,7 +60,8 @@ bool condition(std::string_view text, Command& command) {
          {"<", Comparison::Less},
          {">", Comparison::Greater}}};
     const std::size_t end = text.find_first_of("<>=");
-    if (!takePrefix(text, "#") || end == std::string_view::npos || !number(text.substr(0, end - 1), command.value)) {
+    if (!takePrefix(text, "#") || end == std::string_view::npos ||
+        !number(text.substr(0, end - 1), command.value)) {
         return false;
     }
     text.remove_prefix(end - 1);
@@ -81,7 +82,8 @@ bool cycle(std::string_view text, std::vector<int>& carriers) {
         int times = 1;
         if (open != std::string_view::npos) {
             const std::size_t close = text.find(')');
-            if (!number(trim(text.substr(0, open)), times) || close == std::string_view::npos || close < open) {
+            if (!number(trim(text.substr(0, open)), times) || close == std::string_view::npos ||
+                close < open) {
                 return false;
             }
             list = text.substr(open + 1, close - open - 1);
@@ -248,8 +250,8 @@ bool LineParser::parse(std::string_view word) {
     if (word[0] == 'V' && word.substr(0, 2) != "VV" && rack(word.substr(1), m_command)) {
         return add(Kind::Rack);
     }
-    const bool keep = word.substr(0, 3) == "WM=" || word.substr(0, 4) == "WMI=" || word.substr(0, 2) == "W+" ||
-                      word.substr(0, 5) == "MSEC=";
+    const bool keep = word.substr(0, 3) == "WM=" || word.substr(0, 4) == "WMI=" ||
+                      word.substr(0, 2) == "W+" || word.substr(0, 5) == "MSEC=";
     if (keep) {
         m_command.text = word;
         return add(Kind::Keep);

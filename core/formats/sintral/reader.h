@@ -20,13 +20,13 @@ struct Source {
 /// kMaxNeedlesPassed.
 ///
 /// Not verified against files of a production machine. Inferred: the first `<1+>` of a jacquard goes to its
-/// start row; V0 interleaves the needles (racking n + 0.25), V# the other way (n + 0.5), transfers are made at
-/// racking n; systems work in written order whichever way the stroke goes; a carrier comes in at its first
+/// start row; V0 interleaves the needles (racking n + 0.25), V# the other way (n + 0.5), transfers are made
+/// at racking n; systems work in written order whichever way the stroke goes; a carrier comes in at its first
 /// stitch and goes out at the end.
 ///
-/// Simulated: line numbers, comments, START, END, << >> <>, S:, Y:, YG:, S1..S6 T1 SX S0 S0Y, U^S UVS UXS, V0 VR
-/// VL V# VU, NPn=, REP, counters, IF, IFN, GOTO, GOSUB, JAn, PA:, FA=, PM:, SEN=. Kept as x-sintral: WM, WMI, W+,
-/// MSEC. Kept with a warning: KS0151. Everything else is an error with its line and text, KS0150.
+/// Simulated: line numbers, comments, START, END, << >> <>, S:, Y:, YG:, S1..S6 T1 SX S0 S0Y, U^S UVS UXS, V0
+/// VR VL V# VU, NPn=, REP, counters, IF, IFN, GOTO, GOSUB, JAn, PA:, FA=, PM:, SEN=. Kept as x-sintral: WM,
+/// WMI, W+, MSEC. Kept with a warning: KS0151. Everything else is an error with its line and text, KS0150.
 ///
 /// Errors and warnings: KS0108, KS0112, KS0113, KS0115, KS0116, KS0119, KS0121, KS0122, KS0125, KS0150 to
 /// KS0159.

@@ -53,7 +53,8 @@ bool Runner::runLine(const Line& line) {
     for (const Command& command : line.commands) {
         m_executed += 1 + static_cast<long long>(command.numbers.size() + command.systems.entries.size());
         if (m_executed > kMaxExecutedCommands) {
-            return fail("KS0156", {line.place, command.column}, {std::to_string(kMaxExecutedCommands) + " commands"});
+            return fail("KS0156", {line.place, command.column},
+                        {std::to_string(kMaxExecutedCommands) + " commands"});
         }
         if (m_skipping && command.kind != Kind::SkipEnd) {
             continue;

@@ -9,8 +9,8 @@
 
 namespace knittsim::formats::sintral {
 
-/// Runs the lines of a program: repeats, jumps, counters and conditions. Reports KS0151, KS0155, KS0156, KS0159
-/// and stops at the first error.
+/// Runs the lines of a program: repeats, jumps, counters and conditions. Reports KS0151, KS0155, KS0156,
+/// KS0159 and stops at the first error.
 class Runner {
 public:
     /// All must outlive the runner.

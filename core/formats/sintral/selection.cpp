@@ -12,7 +12,8 @@ constexpr std::size_t kMaxSymbolsInSet = 64;
 constexpr std::size_t kMaxSystems = 64;
 
 bool allSymbols(std::string_view text) {
-    return !text.empty() && text.size() <= kMaxSymbolsInSet && std::all_of(text.begin(), text.end(), isSymbol);
+    return !text.empty() && text.size() <= kMaxSymbolsInSet &&
+           std::all_of(text.begin(), text.end(), isSymbol);
 }
 
 bool isPattern(std::string_view text) {

@@ -13,10 +13,10 @@ enum class Need { None, Knit, Tuck };
 struct Selection {
     enum class Kind { None, Knit, Tuck, Pattern, Symbols };
     Kind kind = Kind::None;
-    std::string text; ///< pattern of I and '.', or symbols that are selected
+    std::string text;    ///< pattern of I and '.', or symbols that are selected
     bool others = false; ///< selected are the symbols that are not in `text`
-    std::string tucks; ///< symbols that tuck
-    int stitch = 0;    ///< entry of the stitch table (NP), 0: none named
+    std::string tucks;   ///< symbols that tuck
+    int stitch = 0;      ///< entry of the stitch table (NP), 0: none named
 
     bool usesSymbols() const { return kind == Kind::Symbols; }
 
@@ -34,7 +34,7 @@ struct SystemEntry {
 
 /// What stands between 'S:' and ';'.
 struct SystemList {
-    int rowStep = 0;   ///< from <1+> or <1->: rows of the jacquard to go on
+    int rowStep = 0;    ///< from <1+> or <1->: rows of the jacquard to go on
     bool field = false; ///< <A> stands at the beginning
     std::vector<SystemEntry> entries;
 };

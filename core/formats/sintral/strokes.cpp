@@ -111,8 +111,8 @@ bool StrokeWriter::prepare(const SystemEntry& entry, Spot spot) {
         m_problems.error("KS0154", spot);
         return false;
     }
-    const int columns = m_field ? m_field->last - m_field->first + 1
-                                : static_cast<int>(m_jacquard.row(m_row).size());
+    const int columns =
+        m_field ? m_field->last - m_field->first + 1 : static_cast<int>(m_jacquard.row(m_row).size());
     m_area.first = m_fieldNeedle.value_or(1);
     m_area.last = m_area.first + columns - 1;
     return true;
@@ -122,7 +122,8 @@ char StrokeWriter::symbolAt(int needle) const {
     const std::string& row = m_jacquard.row(m_row);
     const int column = needle - m_fieldNeedle.value_or(m_area.first);
     const int first = m_field ? m_field->first - 1 : 0;
-    const int end = std::min(static_cast<int>(row.size()), m_field ? m_field->last : static_cast<int>(row.size()));
+    const int end =
+        std::min(static_cast<int>(row.size()), m_field ? m_field->last : static_cast<int>(row.size()));
     const bool inside = column >= 0 && first + column < end;
     return inside ? row[static_cast<std::size_t>(first + column)] : '\0';
 }
@@ -237,8 +238,9 @@ bool StrokeWriter::transfers(const SystemEntry& entry, const Stroke& stroke, Spo
     for (int needle = m_area.first; needle <= m_area.last; ++needle) {
         const bool toRear = chosen(entry.front, needle);
         if (toRear && chosen(entry.rear, needle - stroke.rack)) {
-            m_problems.error("KS0108", spot,
-                             {"front and rear needle at " + std::to_string(needle), "one of them to give its loop"});
+            m_problems.error(
+                "KS0108", spot,
+                {"front and rear needle at " + std::to_string(needle), "one of them to give its loop"});
             return false;
         }
         if (toRear) {

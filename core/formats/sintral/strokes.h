@@ -92,7 +92,7 @@ private:
     int m_row = -1; ///< -1: before the start row
     machine::Direction m_next = machine::Direction::Left;
     long long m_passed = 0; ///< needles
-    Span m_area; ///< needles of the present stroke
+    Span m_area;            ///< needles of the present stroke
 };
 
 } // namespace knittsim::formats::sintral

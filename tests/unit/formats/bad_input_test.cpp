@@ -26,7 +26,8 @@ void PrintTo(const Reader& reader, std::ostream* out) {
 }
 
 machine::Program smallProgram() {
-    return knitout::parse(";!knitout-2\n;;Carriers: 1 2\nin 1\nknit + f1 1\nknit + f2 1\ntuck - f2 1\nxfer f1 b1\nout 1\n",
+    return knitout::parse(";!knitout-2\n;;Carriers: 1 2\nin 1\nknit + f1 1\nknit + f2 1\ntuck - f2 1\nxfer "
+                          "f1 b1\nout 1\n",
                           "a.k")
         .value();
 }
@@ -40,12 +41,17 @@ std::vector<Reader> readers() {
              [] { return shima_dat::write(smallProgram()).value(); }},
             {"kcode", [](std::string_view text) { return kcode::parse(text, "a.kc"); },
              [] { return kcode::write(smallProgram(), "a.kc").value(); }},
-            {"sintral", [](std::string_view text) { return sintral::parse({text, "a.sin"}, {kJacquard, "a.jac"}); },
+            {"sintral",
+             [](std::string_view text) {
+                 return sintral::parse({text, "a.sin"}, {kJacquard, "a.jac"});
+             },
              [] {
-                 return std::string("START\n10 SEN=1-6 NP5=11 #5=2\n20 REP*3\n30 <> S:<0+>A(5)-R; Y:1/2; S1 VR1\n"
-                                    "40 REPEND\nIF #5=2 GOSUB 60-60\nEND\n60 S:<1+>R-0;\n");
+                 return std::string(
+                     "START\n10 SEN=1-6 NP5=11 #5=2\n20 REP*3\n30 <> S:<0+>A(5)-R; Y:1/2; S1 VR1\n"
+                     "40 REPEND\nIF #5=2 GOSUB 60-60\nEND\n60 S:<1+>R-0;\n");
              }},
-            {"jacquard", [](std::string_view text) {
+            {"jacquard",
+             [](std::string_view text) {
                  return sintral::parse({"<< S:A-0; Y:1; S1\n", "a.sin"}, {text, "a.jac"});
              },
              [] { return kJacquard; }}};
@@ -150,9 +156,11 @@ TEST_P(BadInput, OtherEncodingsAreRefused) {
 
 TEST_P(BadInput, HugeNumbersAreSafe) {
     const std::string text = GetParam().sample();
-    for (const char* number : {"99999999999999999999", "-99999999999999999999", "1e999", "2147483648", "4294967296"}) {
+    for (const char* number :
+         {"99999999999999999999", "-99999999999999999999", "1e999", "2147483648", "4294967296"}) {
         for (std::size_t at = 0; at < text.size(); ++at) {
-            if (std::isdigit(static_cast<unsigned char>(text[at])) != 0 && (at < 300 || at + 300 > text.size())) {
+            if (std::isdigit(static_cast<unsigned char>(text[at])) != 0 &&
+                (at < 300 || at + 300 > text.size())) {
                 std::string bytes = text;
                 bytes.replace(at, 1, number);
                 opens(bytes);

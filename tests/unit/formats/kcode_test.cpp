@@ -44,8 +44,8 @@ std::string sizes(char size = '5') {
 
 std::string pass(const std::string& front, const std::string& rear, const std::string& action,
                  char size = '5') {
-    return "FRNT:" + needles(front) + "\nSTIF:" + sizes(size) + "\nREAR:" + needles(rear) + "\nSTIR:" +
-           sizes(size) + '\n' + action + '\n';
+    return "FRNT:" + needles(front) + "\nSTIF:" + sizes(size) + "\nREAR:" + needles(rear) +
+           "\nSTIR:" + sizes(size) + '\n' + action + '\n';
 }
 
 /// The operations without the header.
@@ -82,7 +82,8 @@ TEST(KcodeReader, TakesPassesWithoutYarnAsDropAndMiss) {
 }
 
 TEST(KcodeReader, ReadsTransfersAndSplits) {
-    EXPECT_EQ(readBack("RACK:2\n" + pass("__--", "--", "<< Tr-Rl 0 100 0")), "rack 2\nxfer f4 b2\nxfer f3 b1\n");
+    EXPECT_EQ(readBack("RACK:2\n" + pass("__--", "--", "<< Tr-Rl 0 100 0")),
+              "rack 2\nxfer f4 b2\nxfer f3 b1\n");
     EXPECT_EQ(readBack("RACK:-1\n" + pass("-", "_-", ">> Rr-Tr 0 100 0")), "rack -1\nxfer b2 f1\n");
     // A needle that nothing receives from knits.
     EXPECT_EQ(readBack(pass("---", "_-", ">> Tr-Rr 1 100 0", 'A')),
@@ -91,13 +92,14 @@ TEST(KcodeReader, ReadsTransfersAndSplits) {
 }
 
 TEST(KcodeReader, TakesCarriersOutWhereTheCommentSaysSo) {
-    EXPECT_EQ(readBack(pass("-", "", ">> Kn-Kn 1 100 100") + "// x; carrier out\n" + pass("-", "", "<< Kn-Kn 1 100 100") +
-                       pass("-", "", ">> Kn-Kn 1 100 100")),
+    EXPECT_EQ(readBack(pass("-", "", ">> Kn-Kn 1 100 100") + "// x; carrier out\n" +
+                       pass("-", "", "<< Kn-Kn 1 100 100") + pass("-", "", ">> Kn-Kn 1 100 100")),
               "in 1\nx-stitch-number 5\nknit + f1 1\nknit - f1 1\nout 1\nin 1\nknit + f1 1\nout 1\n");
 }
 
 TEST(KcodeReader, TakesStopsAway) {
-    const std::string stops = ".../..2.........." + std::string("-_2\\") + std::string(18, '_') + std::string(15, '.');
+    const std::string stops =
+        ".../..2.........." + std::string("-_2\\") + std::string(18, '_') + std::string(15, '.');
     EXPECT_EQ(readBack("FRNT:" + stops + "\nSTIF:" + sizes() + "\nREAR:" + needles("") + "\nSTIR:" + sizes() +
                        "\n>> Kn-Kn 2 300 50 7\n"),
               "in 2\nx-speed-number 300\nx-roller-advance 50\nx-stitch-number 5\nknit + f1 2\nout 2\n");
@@ -150,7 +152,8 @@ TEST(KcodeWriter, KnitsAndTucksOfOneBedAreTwoPasses) {
     const std::string text = written("in 1\nknit + f1 1\ntuck + f2 1\nout 1\n");
     EXPECT_THAT(text, HasSubstr(">> Kn-Kn 1 100 100"));
     EXPECT_THAT(text, HasSubstr(">> Tu-Tu 1 100 100"));
-    EXPECT_THAT(written("rack 0.5\nin 1\nknit + f1 1\ntuck + b1 1\nout 1\n"), HasSubstr(">> Kn-Tu 1 100 100"));
+    EXPECT_THAT(written("rack 0.5\nin 1\nknit + f1 1\ntuck + b1 1\nout 1\n"),
+                HasSubstr(">> Kn-Tu 1 100 100"));
 }
 
 TEST(KcodeWriter, StopsCarriersApart) {

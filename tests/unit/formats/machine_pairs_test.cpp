@@ -5,8 +5,8 @@
 #include "core/formats/knitout/reader.h"
 #include "core/formats/shima_dat/reader.h"
 #include "core/formats/shima_dat/writer.h"
-#include "tests/unit/formats/machine_data.h"
 #include "tests/support/same_meaning.h"
+#include "tests/unit/formats/machine_data.h"
 
 #include <gtest/gtest.h>
 
@@ -34,14 +34,14 @@ std::string firstDifference(const std::string& a, const std::string& b) {
                         std::to_string(b.size());
 }
 
-/// The picture knit.dat was made from another version of the program: in the two passes of carrier 5 it tucks at
-/// twelve rear needles where knit.k knits, and at four front needles where knit.k misses.
+/// The picture knit.dat was made from another version of the program: in the two passes of carrier 5 it tucks
+/// at twelve rear needles where knit.k knits, and at four front needles where knit.k misses.
 void makeLikePicture(machine::Program& program) {
     for (machine::Operation& op : program.operations) {
         const bool fifth = op.carriers.size() == 1 && op.carriers[0] == 4;
         const bool rearKnit = op.kind == machine::OperationKind::Knit && op.needle.bed == machine::Bed::Rear;
-        const bool edgeMiss = op.kind == machine::OperationKind::Miss &&
-                              (op.needle.index == 216 || op.needle.index == 277);
+        const bool edgeMiss =
+            op.kind == machine::OperationKind::Miss && (op.needle.index == 216 || op.needle.index == 277);
         if (fifth && (rearKnit || edgeMiss)) {
             op.kind = machine::OperationKind::Tuck;
         }

@@ -81,16 +81,17 @@ TEST(DatRaster, CodesRunsOfOneRow) {
 }
 
 TEST(DatWriter, PutsOneDirectionIntoOnePass) {
-    EXPECT_THAT(slots("in 1\nknit + f1 1\ntuck + b2 1\nmiss + f3 1\nknit - f3 1\nout 1\n"),
-                ElementsAre(ElementsAre(51, 12, 216), ElementsAre(0, kStopMark, 51), ElementsAre(0, kStopMark, 16)));
+    EXPECT_THAT(
+        slots("in 1\nknit + f1 1\ntuck + b2 1\nmiss + f3 1\nknit - f3 1\nout 1\n"),
+        ElementsAre(ElementsAre(51, 12, 216), ElementsAre(0, kStopMark, 51), ElementsAre(0, kStopMark, 16)));
 }
 
 TEST(DatWriter, JoinsBothBedsWhereTheyInterleave) {
     const std::string both = "in 1\nknit + f1 1\nknit + b1 1\nknit + f2 1\ntuck + b2 1\nout 1\n";
     EXPECT_THAT(slots("rack 0.25\n" + both).front(), ElementsAre(3, 41));
-    EXPECT_THAT(slots(both), ElementsAre(ElementsAre(51, kStopMark), ElementsAre(16, kStopMark),
-                                         ElementsAre(52, 51), ElementsAre(kStopMark, 16),
-                                         ElementsAre(kStopMark, 12)));
+    EXPECT_THAT(slots(both),
+                ElementsAre(ElementsAre(51, kStopMark), ElementsAre(16, kStopMark), ElementsAre(52, 51),
+                            ElementsAre(kStopMark, 16), ElementsAre(kStopMark, 12)));
     EXPECT_THAT(slots("rack 0.25\nin 1\nknit - b1 1\nknit - f1 1\nout 1\n").front(), ElementsAre(3));
     EXPECT_EQ(option("rack 0.25\n" + both, left::kInterleaved), 1);
 }
@@ -143,9 +144,10 @@ TEST(DatWriter, RefusesWhatTheFormatCannotSay) {
 }
 
 TEST(DatReader, GivesBackWhatWasWritten) {
-    const std::string lines = "x-speed-number 3\nx-stitch-number 12\nin 2\nknit + f1 2\ntuck + f2 2\nmiss + f3 2\n"
-                              "knit - f3 2\nsplit + f3 b3 2\nrack 2\nxfer b3 f5\nrack 0\ndrop f1\npause\namiss f2\n"
-                              "rack 0.25\nknit + f5 2\nknit + b5 2\nout 2\n";
+    const std::string lines =
+        "x-speed-number 3\nx-stitch-number 12\nin 2\nknit + f1 2\ntuck + f2 2\nmiss + f3 2\n"
+        "knit - f3 2\nsplit + f3 b3 2\nrack 2\nxfer b3 f5\nrack 0\ndrop f1\npause\namiss f2\n"
+        "rack 0.25\nknit + f5 2\nknit + b5 2\nout 2\n";
     EXPECT_EQ(readBack(lines), lines);
     const auto read = parse(written(lines), "a.dat");
     EXPECT_EQ(test::differenceInMeaning(program(lines), read.value()), "");
@@ -171,7 +173,8 @@ TEST(DatReader, ReadsSliderTransfers) {
 /// What happens to a picture with one changed pixel.
 std::string foundAfter(int row, int column, int colour) {
     Raster raster = picture(written("in 1\nknit + f1 1\nknit + f2 1\nout 1\n"));
-    raster.row(kRowsBelow + kFrameRows + row)[static_cast<std::size_t>(column)] = static_cast<std::uint8_t>(colour);
+    raster.row(kRowsBelow + kFrameRows + row)[static_cast<std::size_t>(column)] =
+        static_cast<std::uint8_t>(colour);
     const auto result = parse(encode(raster), "a.dat");
     return result.diagnostics().empty() ? std::string() : result.diagnostics().front().id;
 }
@@ -190,9 +193,7 @@ TEST(DatReader, SaysWhatItDoesNotKnow) {
 
 TEST(DatReader, ChecksSizesBeforeItTakesMemory) {
     std::string bytes = written("in 1\nknit + f1 1\nout 1\n");
-    const auto id = [](const std::string& text) {
-        return parse(text, "a.dat").diagnostics().front().id;
-    };
+    const auto id = [](const std::string& text) { return parse(text, "a.dat").diagnostics().front().id; };
     EXPECT_EQ(id(bytes.substr(0, bytes.size() - 2)), "KS0131");
     EXPECT_EQ(id(bytes + "\x01\x01"), "KS0131");
     std::string huge = bytes;
@@ -219,7 +220,10 @@ TEST(DatRoundTrip, KeepsTheMeaningOfRandomPrograms) {
         const auto bytes = write(random);
         if (!bytes) {
             // The only thing that these programs do and the format cannot.
-            EXPECT_THAT(toLine(bytes.diagnostics().front()), testing::AnyOf(testing::HasSubstr("cannot come in with a split"), testing::HasSubstr("first stitch together"))) << seed;
+            EXPECT_THAT(toLine(bytes.diagnostics().front()),
+                        testing::AnyOf(testing::HasSubstr("cannot come in with a split"),
+                                       testing::HasSubstr("first stitch together")))
+                << seed;
             continue;
         }
         ++written;

@@ -47,7 +47,8 @@ std::vector<std::string> lines(const machine::Program& program) {
 std::string stitches(const machine::Program& program) {
     std::string text;
     for (const machine::Operation& op : program.operations) {
-        if (op.kind == OperationKind::Knit || op.kind == OperationKind::Tuck || op.kind == OperationKind::Drop) {
+        if (op.kind == OperationKind::Knit || op.kind == OperationKind::Tuck ||
+            op.kind == OperationKind::Drop) {
             text += std::string(text.empty() ? "" : " ") + machine::toString(op.kind)[0] +
                     machine::toString(op.needle);
         }
@@ -65,16 +66,14 @@ TEST(Sintral, KnitsAllNeedlesToAndFro) {
                               "20 << S:R-0; Y:2; S1\n"
                               "30 >> S1\n"
                               "END\n");
-    EXPECT_THAT(lines(program),
-                ElementsAre("in 2", "rack 0.25", "knit - f3 2", "knit - f2 2", "knit - f1 2", "knit + f1 2",
-                            "knit + f2 2", "knit + f3 2", "out 2"));
+    EXPECT_THAT(lines(program), ElementsAre("in 2", "rack 0.25", "knit - f3 2", "knit - f2 2", "knit - f1 2",
+                                            "knit + f1 2", "knit + f2 2", "knit + f3 2", "out 2"));
     EXPECT_EQ(program.operations[2].line, 3);
     EXPECT_EQ(program.operations[5].line, 4);
 }
 
 TEST(Sintral, WorksBothBedsInTheOrderOfTheirNeedles) {
-    EXPECT_EQ(stitches(read("SEN=1-2\n<< S:R-R; Y:1; S1\n>> S1\n")),
-              "kb2 kf2 kb1 kf1 kf1 kb1 kf2 kb2");
+    EXPECT_EQ(stitches(read("SEN=1-2\n<< S:R-R; Y:1; S1\n>> S1\n")), "kb2 kf2 kb1 kf1 kf1 kb1 kf2 kb2");
 }
 
 TEST(Sintral, TakesSystemsAndCarriersFromTheirCycles) {
@@ -181,14 +180,16 @@ TEST(Sintral, StopsAtWhatItDoesNotKnow) {
 }
 
 TEST(Sintral, KeepsWhatItDoesNotSimulateWithOneWarningAKind) {
-    const std::string text = withRange("WM=7 MSEC=.70 W+P=3\nMCWS1-4 SBEG\nMCWS2-3\nFBEG:A;\nASK << S9\nFEND C A\n"
-                                       "<< S:R-0; Y:1; S1");
+    const std::string text =
+        withRange("WM=7 MSEC=.70 W+P=3\nMCWS1-4 SBEG\nMCWS2-3\nFBEG:A;\nASK << S9\nFEND C A\n"
+                  "<< S:R-0; Y:1; S1");
     // The body of a function is parsed like all lines.
     EXPECT_EQ(found(text), "KS0150 7:1");
-    const auto result = parse({withRange("WM=7 MSEC=.70 W+P=3\nMCWS1-4 SBEG\nMCWS2-3\nFBEG:A;\n>> S:P-0; S1\nFEND C A\n"
-                                         "<< S:<A>R-0; Y:1; S1\nY:=A;"),
-                               "a.sin"},
-                              {});
+    const auto result =
+        parse({withRange("WM=7 MSEC=.70 W+P=3\nMCWS1-4 SBEG\nMCWS2-3\nFBEG:A;\n>> S:P-0; S1\nFEND C A\n"
+                         "<< S:<A>R-0; Y:1; S1\nY:=A;"),
+               "a.sin"},
+              {});
     ASSERT_TRUE(result);
     std::string kinds;
     for (const Diagnostic& warning : result.diagnostics()) {
