@@ -266,7 +266,7 @@ void MainWindow::showGallery() {
 }
 
 QString MainWindow::openFilter() {
-    return tr("Machine programs (*.k *.knitout);;All files (*)");
+    return tr("Machine programs (*.k *.knitout *.dat *.kc *.sin);;All files (*)");
 }
 
 void MainWindow::chooseFile() {
