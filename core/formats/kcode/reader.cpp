@@ -171,8 +171,9 @@ void Reader::readSizes(std::string_view line, Bar& bar) {
     const std::string_view sizes = trim(line).substr(kFrontSizes.size());
     const auto bad = std::find_if(sizes.begin(), sizes.end(), [](char sign) { return numberOf(sign) < 0; });
     if (bad != sizes.end()) {
-        m_problems.error("KS0144", here(static_cast<int>(kFrontSizes.size() + 1 + (bad - sizes.begin()))),
-                         {quoted(std::string_view(&*bad, 1))});
+        m_problems.error(
+            "KS0144", here(static_cast<int>(kFrontSizes.size()) + 1 + static_cast<int>(bad - sizes.begin())),
+            {quoted(std::string_view(&*bad, 1))});
         m_bad = true;
         return;
     }
