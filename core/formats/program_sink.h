@@ -37,6 +37,9 @@ public:
 
     double rack() const { return m_rack; }
 
+    /// There were too many operations; reading should stop.
+    bool full() const { return m_full; }
+
 private:
     std::int32_t keep(std::string text);
 
