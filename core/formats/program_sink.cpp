@@ -1,6 +1,10 @@
 #include "core/formats/program_sink.h"
 
+#include "core/formats/text.h"
+
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace knittsim::formats {
 
@@ -48,8 +52,15 @@ void ProgramSink::stitchNumber(double number) {
     add(op);
 }
 
-std::int32_t ProgramSink::keep(const std::string& text) {
-    m_program.texts.push_back(text);
+std::int32_t ProgramSink::keep(std::string text) {
+    // A text has to fit into a line of knitout, where ';' begins a comment.
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == ';' || (c >= '\0' && c < ' '); }, ' ');
+    text = std::string(trim(text));
+    if (text.empty()) {
+        return -1;
+    }
+    m_program.texts.push_back(std::move(text));
     return static_cast<std::int32_t>(m_program.texts.size()) - 1;
 }
 
@@ -63,7 +74,7 @@ void ProgramSink::extension(const std::string& text) {
 void ProgramSink::pause(const std::string& message) {
     Operation op;
     op.kind = OperationKind::Pause;
-    op.text = message.empty() ? -1 : keep(message);
+    op.text = keep(message);
     add(op);
 }
 

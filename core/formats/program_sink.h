@@ -21,6 +21,8 @@ public:
     void carriers(machine::OperationKind kind, const machine::CarrierSet& carriers);
     void rack(double rack);
     void stitchNumber(double number);
+
+    /// Texts become one line without ';'.
     void extension(const std::string& text);
     void pause(const std::string& message);
 
@@ -35,8 +37,11 @@ public:
 
     double rack() const { return m_rack; }
 
+    /// There were too many operations; reading should stop.
+    bool full() const { return m_full; }
+
 private:
-    std::int32_t keep(const std::string& text);
+    std::int32_t keep(std::string text);
 
     machine::Program& m_program;
     Problems& m_problems;

@@ -24,6 +24,7 @@ using machine::OperationKind;
 namespace {
 
 constexpr double kMaxRack = 100;
+constexpr int kMaxTextsBefore = 100; ///< lines before the first pass that may be texts
 
 bool startsWith(std::string_view text, std::string_view prefix) {
     return text.substr(0, prefix.size()) == prefix;
@@ -73,17 +74,18 @@ private:
     ProgramSink m_sink;
     Bar m_front;
     Bar m_rear;
-    int m_place = 0;    ///< lines of the pass that were there: FRNT, STIF, REAR, STIR
-    bool m_bad = false; ///< a line of the pass is wrong, so it is not carried out
-    bool m_out = false; ///< the carrier goes out after the pass
-    bool m_anyPass = false;
+    int m_place = 0;        ///< lines of the pass that were there: FRNT, STIF, REAR, STIR
+    bool m_bad = false;     ///< a line of the pass is wrong, so it is not carried out
+    bool m_out = false;     ///< the carrier goes out after the pass
+    bool m_sawPass = false; ///< or its beginning
+    int m_texts = 0;        ///< lines that are none of a pass
     std::array<bool, kCarriers> m_in{};
     double m_speed = 100;
     double m_roller = 100;
 };
 
 Result<machine::Program> Reader::run() {
-    while (m_lines.next()) {
+    while (!m_sink.full() && (m_sawPass || m_texts <= kMaxTextsBefore) && m_lines.next()) {
         m_sink.setLine(m_lines.number());
         readLine(m_lines.line());
     }
@@ -133,6 +135,7 @@ void Reader::readOther(std::string_view line) {
     } else if (text != kHome) {
         m_problems.warn("KS0142", here(), {quoted(text)});
         m_sink.pause(std::string(text));
+        ++m_texts;
     }
 }
 
@@ -156,6 +159,7 @@ void Reader::readNeedles(std::string_view prefix, std::string_view line, Bar& ba
         return;
     }
     m_bad = m_bad && &bar != &m_front;
+    m_sawPass = true;
     NeedleLine needles = readNeedleLine(trim(line).substr(prefix.size()));
     if (needles.badColumn != 0) {
         m_problems.error("KS0143", here(static_cast<int>(prefix.size()) + needles.badColumn));
@@ -171,8 +175,9 @@ void Reader::readSizes(std::string_view line, Bar& bar) {
     const std::string_view sizes = trim(line).substr(kFrontSizes.size());
     const auto bad = std::find_if(sizes.begin(), sizes.end(), [](char sign) { return numberOf(sign) < 0; });
     if (bad != sizes.end()) {
-        m_problems.error("KS0144", here(static_cast<int>(kFrontSizes.size() + 1 + (bad - sizes.begin()))),
-                         {quoted(std::string_view(&*bad, 1))});
+        m_problems.error(
+            "KS0144", here(static_cast<int>(kFrontSizes.size()) + 1 + static_cast<int>(bad - sizes.begin())),
+            {quoted(std::string_view(&*bad, 1))});
         m_bad = true;
         return;
     }
@@ -203,7 +208,6 @@ void Reader::readAction(std::string_view line) {
         return;
     }
     m_place = 0;
-    m_anyPass = true;
     const auto action = parseAction(line, m_lines.number(), m_problems);
     if (!action || std::exchange(m_bad, false)) {
         m_out = false;
@@ -263,7 +267,7 @@ void Reader::work(const Action& action, const CarrierSet& carriers) {
     const bool rightwards = action.direction == Direction::Right;
     // Facing needles of aligned beds are worked front first either way.
     const bool frontFirst = rightwards || rack == shift;
-    for (int i = 0; i < end - first && !m_problems.full(); ++i) {
+    for (int i = 0; i < end - first && !m_sink.full(); ++i) {
         const int slot = rightwards ? first + i : end - 1 - i;
         workNeedle(action, carriers, frontFirst, frontFirst ? slot : slot - shift);
         workNeedle(action, carriers, !frontFirst, frontFirst ? slot - shift : slot);
@@ -311,15 +315,16 @@ void Reader::workNeedle(const Action& action, const CarrierSet& carriers, bool f
 
 void Reader::finish() {
     const Spot end{std::max(m_lines.number(), 1), 1};
+    if (!m_sawPass && (m_texts > 0 || m_problems.errorCount() == 0)) {
+        // Another kind of file: what was said of its lines does not matter.
+        m_problems = Problems(m_program.file, kMaxErrors);
+        m_problems.error("KS0140", {1, 1});
+    }
     if (m_problems.errorCount() > 0) {
         return;
     }
     if (m_place != 0) {
         m_problems.error("KS0141", end, {"the end of the file", "the rest of the pass"});
-    } else if (!m_anyPass) {
-        // Another kind of file: what was said of its lines does not matter.
-        m_problems = Problems(m_program.file, kMaxErrors);
-        m_problems.error("KS0140", {1, 1});
     }
     for (int carrier = 1; carrier <= kCarriers; ++carrier) {
         if (m_in[static_cast<std::size_t>(carrier - 1)]) {

@@ -97,7 +97,7 @@ void Reader::run() {
     } else {
         m_problems.warn("KS0137", spot(first));
     }
-    for (int row = first; row < end && !m_problems.full(); ++row) {
+    for (int row = first; row < end && !m_problems.full() && !m_sink.full(); ++row) {
         m_sink.setLine(row + 1);
         readPass(row);
     }
@@ -268,7 +268,7 @@ void Reader::goOut() {
 void Reader::readCells(int row) {
     const int count = m_frame.endColumn() - m_frame.firstColumn();
     const bool leftwards = m_options.direction == Direction::Left;
-    for (int i = 0; i < count && !m_problems.full(); ++i) {
+    for (int i = 0; i < count && !m_problems.full() && !m_sink.full(); ++i) {
         readCell(row, m_frame.firstNeedle + (leftwards ? count - 1 - i : i));
     }
 }

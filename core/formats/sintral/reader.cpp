@@ -97,7 +97,7 @@ private:
         line.number = smallNumber(first.text);
         std::size_t begin = 0;
         if (line.number >= kFirstJacquardLine) {
-            m_jacquard.addLine(text, {place, 1}, m_problems);
+            m_badRows = m_badRows || !m_jacquard.addLine(text, {place, 1}, m_problems);
             return;
         }
         if (line.number >= 0) {
@@ -116,6 +116,7 @@ private:
     Jacquard m_jacquard;
     std::vector<Line> m_lines;
     int m_lineCount = 0;
+    bool m_badRows = false; ///< one of the jacquard rows in the program is wrong
 };
 
 } // namespace

@@ -155,7 +155,7 @@ bool StrokeWriter::carryOut(const Stroke& stroke, Spot spot) {
         m_problems.error("KS0159", spot, {"the stroke", "S: with needles"});
         return false;
     }
-    for (int i = 0; i < count && !m_problems.full(); ++i) {
+    for (int i = 0; i < count && !m_sink.full(); ++i) {
         const SystemEntry& entry = m_systems[m_nextSystem];
         m_nextSystem = (m_nextSystem + 1) % m_systems.size();
         int carrier = 0;
@@ -218,7 +218,7 @@ void StrokeWriter::stitches(const SystemEntry& entry, int carrier, const Stroke&
     const int begin = std::min(m_area.first, m_area.first + stroke.rack);
     const int end = std::max(m_area.last, m_area.last + stroke.rack);
     const bool rear = entry.rear.kind != Selection::Kind::None;
-    for (int i = 0; i <= end - begin; ++i) {
+    for (int i = 0; i <= end - begin && !m_sink.full(); ++i) {
         const int slot = rightwards ? begin + i : end - i;
         if (rear && !rightwards) {
             workNeedle(entry.rear, false, slot - stroke.rack, carrier, m_next);
