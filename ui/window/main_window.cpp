@@ -74,7 +74,15 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     showGallery();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+    // The views look at the document, which is a member and goes before the window's children would.
+    hide();
+    for (QWidget* view :
+         std::initializer_list<QWidget*>{m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock,
+                                         m_problemDock, m_toolBar, m_status, centralWidget()}) {
+        delete view;
+    }
+}
 
 void MainWindow::buildCentre() {
     auto* centre = new QWidget(this);
