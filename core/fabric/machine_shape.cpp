@@ -1,5 +1,8 @@
 #include "core/fabric/machine_shape.h"
 
+#include "core/fabric/pass_levels.h"
+#include "core/fabric/wale_places.h"
+
 #include <algorithm>
 
 namespace knittsim::fabric {
@@ -16,58 +19,164 @@ double courseHeight(const Fabric& fabric) {
     return std::clamp((length - fabric.pitchMm) / 2, 0.15 * length, 0.4 * length);
 }
 
-void placeHeads(Fabric& fabric, const machine::MachineProfile& profile, double height) {
+constexpr double kGapInCourses = 0.7;
+constexpr double kTurnPitches = 0.4; ///< from the last leg to the yarn that turns round it
+
+/// By loop: how high its heads lie, in courses. A held loop stretches up to the loop that comes through it.
+std::vector<std::int32_t> topCourses(const Fabric& fabric) {
+    std::vector<std::int32_t> tops;
+    tops.reserve(fabric.loops.size());
     for (const Loop& loop : fabric.loops) {
-        const double x = machine::positionPitches(loop.bound, loop.boundRack) * fabric.pitchMm;
-        const double z = (machine::isFront(loop.bound.bed) ? 0.5 : -0.5) * profile.bedGapMm;
+        tops.push_back(loop.end == Loop::End::Bound ? loop.course : loop.course + 1);
+    }
+    for (std::size_t i = 0; i < fabric.loops.size(); ++i) {
+        for (const LoopIndex parent : fabric.made.parentsOf(static_cast<LoopIndex>(i))) {
+            std::int32_t& top = tops[static_cast<std::size_t>(parent)];
+            top = std::max(top, fabric.loops[i].course);
+        }
+    }
+    return tops;
+}
+
+void placeHeads(Fabric& fabric, const machine::MachineProfile& profile, double height) {
+    // Below the beds the take-down draws the two sides together.
+    const double gap = std::min(profile.bedGapMm, kGapInCourses * height);
+    const std::vector<std::int32_t> tops = topCourses(fabric);
+    const std::vector<WalePlace> wales = walePlaces(fabric);
+    for (std::size_t i = 0; i < fabric.loops.size(); ++i) {
+        const Loop& loop = fabric.loops[i];
+        const double z = (machine::isFront(loop.bound.bed) ? 0.5 : -0.5) * gap;
         for (const auto& [point, side] : {std::pair{loop.headLeft, -1.0}, {loop.headRight, 1.0}}) {
             Vec3& place = fabric.machinePositions[static_cast<std::size_t>(
                 fabric.points[static_cast<std::size_t>(point)].entry)];
-            // Heads that share a place lie at the height of the latest loop there.
-            const double y = std::max(place.y(), (loop.course + 1) * height);
-            place = {x + side * fabric.pitchMm / 4, y, z};
+            // Heads that share a place lie at the height of the highest there.
+            const double y = std::max(place.y(), tops[i] * height);
+            place = {(wales[i].centre + side * wales[i].halfWidth) * fabric.pitchMm, y, z};
         }
     }
 }
 
-/// Adds the place of every crossing as its strand would have it, counted between the next heads or feet.
-void placeCrossings(Fabric& fabric) {
-    std::vector<PointIndex> run;
-    const auto isCorner = [&](PointIndex p) {
-        return fabric.points[static_cast<std::size_t>(p)].role != Role::Crossing;
-    };
-    const auto place = [&](PointIndex p) -> Vec3& {
-        return fabric
-            .machinePositions[static_cast<std::size_t>(fabric.points[static_cast<std::size_t>(p)].entry)];
-    };
-    for (const Yarn& yarn : fabric.yarns) {
-        PointIndex before = -1;
-        run.clear();
-        for (PointIndex p = yarn.first; p < yarn.first + yarn.count; ++p) {
-            if (!isCorner(p)) {
-                run.push_back(p);
-                continue;
+/// Puts the crossings where their two strands can meet.
+class CrossingPlacer {
+public:
+    CrossingPlacer(Fabric& fabric, double height)
+        : m_fabric(fabric), m_height(height), m_level(passLevels(fabric)) {}
+
+    void run() {
+        m_wish.assign(m_fabric.points.size(), Vec3::Zero());
+        wishAll();
+        for (const Crossing& crossing : m_fabric.crossings) {
+            if (crossing.over >= 0 && crossing.under >= 0) {
+                place(crossing.over) = meet(crossing.over, crossing.under);
             }
-            for (std::size_t i = 0; i < run.size(); ++i) {
-                const double t = static_cast<double>(i + 1) / static_cast<double>(run.size() + 1);
-                const Vec3 from = before >= 0 ? place(before) : place(p);
-                place(run[i]) += 0.5 * ((1 - t) * from + t * place(p));
-            }
-            run.clear();
-            before = p;
-        }
-        for (const PointIndex p : run) {
-            place(p) += 0.5 * place(before); // the last leg of a yarn that ends with a tuck
         }
     }
-}
+
+private:
+    /// Between the wishes of the two strands; a float meets a leg where the leg is.
+    Vec3 meet(PointIndex a, PointIndex b) const {
+        const Vec3& wishA = m_wish[static_cast<std::size_t>(a)];
+        const Vec3& wishB = m_wish[static_cast<std::size_t>(b)];
+        Vec3 place = 0.5 * (wishA + wishB);
+        const bool floatA = point(a).piece == Piece::Float;
+        if (floatA != (point(b).piece == Piece::Float)) {
+            place.x() = floatA ? wishB.x() : wishA.x();
+        }
+        return place;
+    }
+
+    /// Where each strand would have its crossings: at equal distances along its piece.
+    void wishAll() {
+        for (const Yarn& yarn : m_fabric.yarns) {
+            m_previous = -1;
+            const PointIndex end = yarn.first + yarn.count;
+            for (PointIndex p = yarn.first; p < end;) {
+                if (point(p).role != Role::Crossing) {
+                    m_previous = point(p).loop;
+                    ++p;
+                    continue;
+                }
+                PointIndex last = p;
+                while (last < end && point(last).role == Role::Crossing && point(last).piece == point(p).piece &&
+                       point(last).loop == point(p).loop) {
+                    ++last;
+                }
+                placeRun(p, last);
+                p = last;
+            }
+        }
+    }
+
+    const BondingPoint& point(PointIndex p) const { return m_fabric.points[static_cast<std::size_t>(p)]; }
+    Vec3& place(PointIndex p) { return m_fabric.machinePositions[static_cast<std::size_t>(point(p).entry)]; }
+    const Loop& loop(LoopIndex index) const { return m_fabric.loops[static_cast<std::size_t>(index)]; }
+
+    void placeRun(PointIndex first, PointIndex last) {
+        const LoopIndex own = point(first).loop;
+        const bool rightward =
+            m_fabric.made.loops[static_cast<std::size_t>(own)].direction == Direction::Right;
+        const Side in = rightward ? Side::Left : Side::Right;
+        Vec3 from = foot(own, in);
+        Vec3 to = from;
+        double outward = 0;
+        if (point(first).piece == Piece::Float) {
+            if (m_previous >= 0 && m_previous != own) {
+                const Side out = outOf(m_previous);
+                from = foot(m_previous, out);
+                // A yarn that turns runs past the selvedge.
+                if (out == in && std::abs(from.x() - to.x()) < m_fabric.pitchMm) {
+                    outward = (in == Side::Right ? kTurnPitches : -kTurnPitches) * m_fabric.pitchMm;
+                }
+            }
+        } else {
+            const Side side = point(first).piece == Piece::LeftLeg ? Side::Left : Side::Right;
+            from = foot(own, side);
+            to = place(side == Side::Left ? loop(own).headLeft : loop(own).headRight);
+            if (side != in) {
+                std::swap(from, to);
+            }
+        }
+        for (PointIndex p = first; p < last; ++p) {
+            const double t = static_cast<double>(p - first + 1) / static_cast<double>(last - first + 1);
+            Vec3& wish = m_wish[static_cast<std::size_t>(p)];
+            wish = (1 - t) * from + t * to;
+            wish.x() += outward;
+        }
+    }
+
+    Side outOf(LoopIndex index) const {
+        return m_fabric.made.loops[static_cast<std::size_t>(index)].direction == Direction::Right ? Side::Right
+                                                                                                  : Side::Left;
+    }
+
+    /// Where a leg begins: at its foot, or as far below its head as a foot would be. Of the yarns of one
+    /// course that have no feet, those that came later lie higher.
+    Vec3 foot(LoopIndex index, Side side) {
+        const Loop& l = loop(index);
+        const PointIndex p = side == Side::Left ? l.footLeft : l.footRight;
+        if (p >= 0) {
+            return place(p);
+        }
+        Vec3 below = place(side == Side::Left ? l.headLeft : l.headRight);
+        const double level = l.course + static_cast<double>(m_level[static_cast<std::size_t>(index)]);
+        below.y() = std::min(level * m_height, below.y() - 0.5 * m_height);
+        return below;
+    }
+
+    Fabric& m_fabric;
+    double m_height;
+    std::vector<Vec3> m_wish; ///< by point
+    std::vector<float> m_level;
+    LoopIndex m_previous = -1; ///< loop of the last corner
+};
 
 } // namespace
 
 void layOutOnMachine(Fabric& fabric, const machine::MachineProfile& profile) {
     fabric.machinePositions.assign(static_cast<std::size_t>(fabric.entryCount), Vec3::Zero());
-    placeHeads(fabric, profile, courseHeight(fabric));
-    placeCrossings(fabric);
+    const double height = courseHeight(fabric);
+    placeHeads(fabric, profile, height);
+    CrossingPlacer(fabric, height).run();
 }
 
 } // namespace knittsim::fabric

@@ -33,6 +33,16 @@ CurvePlan::CurvePlan(const fabric::Fabric& fabric, std::span<const double> diame
     CurvePlanner(fabric, diameterMm, *this).run();
 }
 
+Vec3f CurvePlan::placeOf(const FrameField& frames, const Anchor& anchor) {
+    const std::size_t e = at(anchor.entry);
+    const Vec3f& along = frames.along()[e];
+    if (anchor.beside < 0) {
+        return frames.position()[e] - anchor.drop * frames.rise()[e] * along;
+    }
+    const Vec3f way = frames.position()[at(anchor.beside)] - frames.position()[e];
+    return frames.position()[e] + (way.dot(along) - anchor.drop * frames.rise()[at(anchor.beside)]) * along;
+}
+
 void CurvePlan::place(const FrameField& frames, std::vector<ControlValue>& controls) const {
     controls.resize(m_pointOfControl.size());
     placeCorners(frames, controls);
@@ -51,21 +61,23 @@ void CurvePlan::place(const FrameField& frames, std::vector<ControlValue>& contr
 
 void CurvePlan::placeCorners(const FrameField& frames, std::vector<ControlValue>& controls) const {
     for (const Corner& corner : m_corners) {
-        const std::size_t e = at(corner.entry);
+        const std::size_t e = at(corner.anchor.entry);
         const Vec3f& normal = frames.normal()[e];
         const float across = limit(corner.across, kWidestClasp * frames.chord()[e]);
         const float along = limit(corner.along, kHighestClasp * frames.rise()[e]);
-        const Vec3f place = frames.position()[e] + across * frames.across()[e] + along * frames.along()[e] +
-                            corner.out * normal;
+        const Vec3f place = placeOf(frames, corner.anchor) + across * frames.across()[e] +
+                            along * frames.along()[e] + corner.out * normal;
         put(controls, corner.control, place, frames.relief()[e] + corner.out, normal);
     }
 }
 
 void CurvePlan::placeArcs(const FrameField& frames, std::vector<ControlValue>& controls) const {
     for (const Arc& arc : m_arcs) {
-        const std::size_t a = at(arc.from);
-        const std::size_t b = at(arc.to);
-        const float distance2 = (frames.position()[b] - frames.position()[a]).squaredNorm();
+        const std::size_t a = at(arc.from.entry);
+        const std::size_t b = at(arc.to.entry);
+        const Vec3f from = placeOf(frames, arc.from);
+        const Vec3f to = placeOf(frames, arc.to);
+        const float distance2 = (to - from).squaredNorm();
         const float slack = std::sqrt(std::max(0.0F, arc.storedMm * arc.storedMm - distance2));
         const float most = std::max(arc.leastMm, arc.mostRise * 0.5F * (frames.rise()[a] + frames.rise()[b]));
         const float amplitude = std::clamp(arc.gain * slack, arc.leastMm, most);
@@ -76,19 +88,20 @@ void CurvePlan::placeArcs(const FrameField& frames, std::vector<ControlValue>& c
         const Vec3f normal = blend(frames.normal());
         const Vec3f side = arc.acrossSide * blend(frames.across()) + arc.alongSide * blend(frames.along());
         const float relief = (1 - s) * frames.relief()[a] + s * frames.relief()[b];
-        put(controls, arc.control, blend(frames.position()) + amplitude * side + arc.out * normal,
+        put(controls, arc.control, (1 - s) * from + s * to + amplitude * side + arc.out * normal,
             relief + arc.out, normal);
     }
 }
 
 void CurvePlan::placeReaches(const FrameField& frames, std::vector<ControlValue>& controls) const {
     for (const Reach& reach : m_reaches) {
-        const std::size_t e = at(reach.near);
-        const Vec3f way = frames.position()[at(reach.far)] - frames.position()[e];
+        const std::size_t e = at(reach.near.entry);
+        const Vec3f from = placeOf(frames, reach.near);
+        const Vec3f way = placeOf(frames, reach.far) - from;
         const float length = way.norm();
         const float t = length > 0 ? std::min(kLongestReach, reach.reachMm / length) : 0;
         const Vec3f& normal = frames.normal()[e];
-        const Vec3f place = frames.position()[e] + t * way + reach.across * frames.across()[e] -
+        const Vec3f place = from + t * way + reach.across * frames.across()[e] -
                             reach.dipMm * frames.along()[e] + reach.out * normal;
         put(controls, reach.control, place, frames.relief()[e] + reach.out, normal);
     }

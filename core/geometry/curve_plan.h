@@ -34,6 +34,9 @@ public:
     /// By control point: bonding point at or before it; -1 for the two beyond the ends.
     const std::vector<fabric::PointIndex>& pointOfControl() const { return m_pointOfControl; }
 
+    /// By control point: bonding point whose leg, float or half sinker begins there.
+    const std::vector<fabric::PointIndex>& pieceOfControl() const { return m_pieceOfControl; }
+
     /// Writes all control points, the two beyond the ends of each yarn included.
     void place(const FrameField& frames, std::vector<ControlValue>& controls) const;
 
@@ -44,19 +47,27 @@ private:
     void placeArcs(const FrameField& frames, std::vector<ControlValue>& controls) const;
     void placeReaches(const FrameField& frames, std::vector<ControlValue>& controls) const;
 
-    /// On an entry, set off by `across`, `along` and `out` mm, the first two less where the loops are small.
+    /// An entry, or a place below it: the base of a leg that has no foot.
+    struct Anchor {
+        fabric::EntryIndex entry = 0;
+        float drop = 0;                 ///< in rises
+        fabric::EntryIndex beside = -1; ///< when given, as low as this entry and then up by `drop`
+    };
+    static Vec3f placeOf(const FrameField& frames, const Anchor& anchor);
+
+    /// On an anchor, set off by `across`, `along` and `out` mm, the first two less where the loops are small.
     struct Corner {
         std::int32_t control = 0;
-        fabric::EntryIndex entry = 0;
+        Anchor anchor;
         float across = 0;
         float along = 0;
         float out = 0;
     };
-    /// Between two entries, standing out to a side as far as slack yarn lets it.
+    /// Between two anchors, standing out to a side as far as slack yarn lets it.
     struct Arc {
         std::int32_t control = 0;
-        fabric::EntryIndex from = 0;
-        fabric::EntryIndex to = 0;
+        Anchor from;
+        Anchor to;
         float share = 0.5F; ///< place between them
         float storedMm = 0; ///< yarn between them
         float gain = 0;     ///< of the root of stored^2 - distance^2
@@ -66,11 +77,11 @@ private:
         float alongSide = 0;
         float out = 0;
     };
-    /// Near the first of two entries that lie far apart.
+    /// Near the first of two anchors that lie far apart.
     struct Reach {
         std::int32_t control = 0;
-        fabric::EntryIndex near = 0;
-        fabric::EntryIndex far = 0;
+        Anchor near;
+        Anchor far;
         float reachMm = 0;
         float dipMm = 0;
         float across = 0;
@@ -79,6 +90,7 @@ private:
 
     std::vector<YarnRange> m_yarns;
     std::vector<fabric::PointIndex> m_pointOfControl;
+    std::vector<fabric::PointIndex> m_pieceOfControl;
     std::vector<Corner> m_corners;
     std::vector<Arc> m_arcs;
     std::vector<Reach> m_reaches;

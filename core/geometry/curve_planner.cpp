@@ -1,5 +1,7 @@
 #include "core/geometry/curve_planner.h"
 
+#include "core/fabric/pass_levels.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,11 +19,14 @@ constexpr float kClaspHalfHeight = 0.28F; ///< from a bonding point to its lower
 constexpr float kClaspHalfWidth = 0.26F;  ///< new loop inside, old loop outside
 constexpr float kDepthGain = 1.4F;        ///< makes up for what the spline cuts off between opposite depths
 constexpr float kCrossingGain = 1.5F;
-constexpr float kTailAcross = 1.5F;
-constexpr float kTailDown = 0.5F;
+constexpr float kTailAcross = 0.55F;
+constexpr float kTailDown = 1.0F;
 constexpr float kReach = 1.6F;
-constexpr float kTurnOut = 0.7F;
+constexpr float kLevelRise = 4;
+constexpr float kTurnOut = 0.9F;
 constexpr float kTurnDown = 0.8F;
+constexpr float kTurnBackOut = 1.5F; ///< round the leg that the yarn is drawn through next
+constexpr float kTurnBackDown = 0.8F;
 constexpr float kFloatDip = 0.5F;
 
 // Slack yarn: how far an arc stands out, as a share of the root of length^2 - chord^2, and its limit in
@@ -32,18 +37,23 @@ constexpr float kBellyGain = 0.30F;
 constexpr float kBellyMost = 0.10F;
 constexpr float kFloatGain = 0.25F;
 constexpr float kFloatMost = 0.4F;
-constexpr float kOpenSinkerMost = 0.8F; ///< between loops without feet
 constexpr float kArcLeast = 0.35F;      ///< diameters
 
 constexpr double kFarPitches = 1.2; ///< corners farther apart across are joined by a float or a long leg
 
+float sideSign(fabric::Side side) {
+    return side == fabric::Side::Right ? 1.0F : -1.0F;
+}
+
 } // namespace
 
 CurvePlanner::CurvePlanner(const fabric::Fabric& fabric, std::span<const double> diameterMm, CurvePlan& plan)
-    : m_fabric(fabric), m_diameterMm(diameterMm), m_plan(plan), m_depths(orderStrands(fabric, diameterMm)) {}
+    : m_fabric(fabric), m_diameterMm(diameterMm), m_plan(plan), m_depths(orderStrands(fabric, diameterMm)),
+      m_levels(fabric::passLevels(fabric)) {}
 
 void CurvePlanner::run() {
     m_plan.m_pointOfControl.reserve(m_fabric.points.size() * 3);
+    m_plan.m_pieceOfControl.reserve(m_fabric.points.size() * 3);
     m_plan.m_corners.reserve(m_fabric.points.size() * 2);
     m_plan.m_arcs.reserve(m_fabric.points.size());
     for (const fabric::Yarn& yarn : m_fabric.yarns) {
@@ -53,190 +63,261 @@ void CurvePlanner::run() {
     }
 }
 
-/// Yarn that runs upwards through its loop: on the way to the head arc.
-bool CurvePlanner::isRising(PointIndex p) const {
-    const fabric::Loop& loop = m_fabric.loops[static_cast<std::size_t>(point(p).loop)];
-    return p <= std::min(loop.headLeft, loop.headRight);
+CurvePlanner::Station CurvePlanner::stationAt(PointIndex p) const {
+    const fabric::BondingPoint& bp = point(p);
+    const fabric::Loop& l = loop(bp.loop);
+    Station station{.point = p,
+                    .self = p,
+                    .loop = bp.loop,
+                    .side = bp.side,
+                    .anchor = {bp.entry, 0},
+                    .incoming = p <= std::min(l.headLeft, l.headRight),
+                    .lower = m_depths[static_cast<std::size_t>(p)].lower,
+                    .upper = m_depths[static_cast<std::size_t>(p)].upper};
+    switch (bp.role) {
+    case Role::Foot:
+        station.kind = Station::Kind::Foot;
+        break;
+    case Role::Head:
+        station.kind = Station::Kind::Head;
+        break;
+    case Role::Crossing:
+        station.kind = bp.piece == fabric::Piece::Float ? Station::Kind::OnFloat : Station::Kind::OnLeg;
+        break;
+    }
+    return station;
 }
 
-bool CurvePlanner::isFarAcross(PointIndex p, PointIndex q) const {
-    const Vec3& a = m_fabric.machinePositions[static_cast<std::size_t>(point(p).entry)];
-    const Vec3& b = m_fabric.machinePositions[static_cast<std::size_t>(point(q).entry)];
-    return std::abs(a.x() - b.x()) > kFarPitches * m_fabric.pitchMm;
+/// Entry of the nearest foot along the yarn before or after a loop without feet, if it lies in the same
+/// course; -1 for none.
+fabric::EntryIndex CurvePlanner::footBeside(machine::LoopIndex of, bool before) const {
+    const fabric::Loop& own = loop(of);
+    for (const int step : {before ? -1 : 1, before ? 1 : -1}) {
+        PointIndex p = step < 0 ? std::min(own.headLeft, own.headRight) : std::max(own.headLeft, own.headRight);
+        while (p >= m_yarnFirst && p < m_yarnEnd && (point(p).loop == of || point(p).role == Role::Crossing)) {
+            p += step;
+        }
+        if (p >= m_yarnFirst && p < m_yarnEnd && point(p).role == Role::Foot &&
+            loop(point(p).loop).course == own.course) {
+            return point(p).entry;
+        }
+    }
+    return -1;
+}
+
+/// The base of the leg that `onLeg` lies on.
+CurvePlanner::Station CurvePlanner::baseOf(const Station& onLeg, PointIndex owner) const {
+    const fabric::Loop& l = loop(onLeg.loop);
+    const PointIndex head = onLeg.incoming ? std::min(l.headLeft, l.headRight) : std::max(l.headLeft, l.headRight);
+    Station base = stationAt(head);
+    base.kind = Station::Kind::Base;
+    base.point = owner;
+    const float level = m_levels[static_cast<std::size_t>(onLeg.loop)];
+    base.anchor.beside = footBeside(onLeg.loop, onLeg.incoming);
+    base.anchor.drop = base.anchor.beside < 0 ? 1 - level : -level;
+    base.lower *= 0.5F;
+    base.upper = base.lower;
+    return base;
+}
+
+void CurvePlanner::collectStations(const fabric::Yarn& yarn) {
+    m_stations.clear();
+    const PointIndex end = yarn.first + yarn.count;
+    m_yarnFirst = yarn.first;
+    m_yarnEnd = end;
+    for (PointIndex p = yarn.first; p < end; ++p) {
+        const Station station = stationAt(p);
+        const bool footless = loop(station.loop).footLeft < 0 && station.kind != Station::Kind::OnFloat;
+        const bool begins = m_stations.empty() || m_stations.back().loop != station.loop ||
+                            m_stations.back().kind == Station::Kind::OnFloat;
+        if (footless && begins) {
+            m_stations.push_back(baseOf(station, std::max(yarn.first, p - 1)));
+        }
+        m_stations.push_back(station);
+        if (footless && (p + 1 == end || point(p + 1).loop != station.loop)) {
+            m_stations.push_back(baseOf(station, p));
+        }
+    }
+}
+
+bool CurvePlanner::isFarAcross(const Station& a, const Station& b) const {
+    const Vec3& from = m_fabric.machinePositions[static_cast<std::size_t>(a.anchor.entry)];
+    const Vec3& to = m_fabric.machinePositions[static_cast<std::size_t>(b.anchor.entry)];
+    return std::abs(from.x() - to.x()) > kFarPitches * m_fabric.pitchMm;
 }
 
 /// The yarn goes round the selvedge to the next course.
-bool CurvePlanner::isTurn(PointIndex p, PointIndex q) const {
-    return point(p).side == point(q).side &&
-           m_fabric.loops[static_cast<std::size_t>(point(p).loop)].course !=
-               m_fabric.loops[static_cast<std::size_t>(point(q).loop)].course;
+bool CurvePlanner::isTurn(const Station& a, const Station& b) const {
+    return a.side == b.side && loop(a.loop).course != loop(b.loop).course;
 }
 
-std::int32_t CurvePlanner::newControl(PointIndex p) {
-    m_plan.m_pointOfControl.push_back(p);
+std::int32_t CurvePlanner::newControl(const Station& owner, const Station& piece) {
+    m_plan.m_pointOfControl.push_back(owner.point);
+    m_plan.m_pieceOfControl.push_back(piece.self);
     return static_cast<std::int32_t>(m_plan.m_pointOfControl.size()) - 1;
+}
+
+/// A place beyond the end of a yarn.
+void CurvePlanner::addEnd() {
+    m_plan.m_pointOfControl.push_back(-1);
+    m_plan.m_pieceOfControl.push_back(-1);
 }
 
 void CurvePlanner::addYarn(const fabric::Yarn& yarn) {
     m_diameter = yarn.carrier < m_diameterMm.size() ? static_cast<float>(m_diameterMm[yarn.carrier]) : 0.3F;
-    newControl(-1);
+    addEnd();
     CurvePlan::YarnRange range{.first = static_cast<std::int32_t>(m_plan.m_pointOfControl.size()),
                                .carrier = yarn.carrier};
-    const PointIndex last = yarn.first + yarn.count - 1;
-    addTail(yarn.first);
-    for (PointIndex p = yarn.first; p <= last; ++p) {
-        addPoint(p);
-        if (p < last) {
-            connect(p, p + 1);
+    collectStations(yarn);
+    addTail(m_stations.front());
+    for (std::size_t i = 0; i < m_stations.size(); ++i) {
+        addStation(m_stations[i]);
+        if (i + 1 < m_stations.size()) {
+            connect(m_stations[i], m_stations[i + 1]);
         }
     }
-    addTail(last);
+    addTail(m_stations.back());
     range.count = static_cast<std::int32_t>(m_plan.m_pointOfControl.size()) - range.first;
-    newControl(-1);
+    addEnd();
     m_plan.m_yarns.push_back(range);
 }
 
-void CurvePlanner::addTail(PointIndex p) {
-    m_plan.m_reaches.push_back({.control = newControl(p),
-                                .near = point(p).entry,
-                                .far = point(p).entry,
+void CurvePlanner::addTail(const Station& at) {
+    m_plan.m_reaches.push_back({.control = newControl(at, at),
+                                .near = at.anchor,
+                                .far = at.anchor,
                                 .dipMm = kTailDown * m_diameter,
-                                .across = sideSign(p) * kTailAcross * m_diameter,
-                                .out = kDepthGain * lower(p)});
+                                .across = sideSign(at.side) * kTailAcross * m_diameter,
+                                .out = kDepthGain * at.lower});
 }
 
-void CurvePlanner::addPoint(PointIndex p) {
-    if (point(p).role == Role::Crossing) {
+void CurvePlanner::addStation(const Station& at) {
+    if (at.isCrossing()) {
         m_plan.m_corners.push_back(
-            {.control = newControl(p), .entry = point(p).entry, .out = kCrossingGain * lower(p)});
+            {.control = newControl(at, at), .anchor = at.anchor, .out = kCrossingGain * at.lower});
         return;
     }
-    const bool rising = isRising(p);
-    addCorner(p, !rising);
-    addCorner(p, rising);
+    if (at.kind == Station::Kind::Base) {
+        m_plan.m_corners.push_back({.control = newControl(at, at),
+                                    .anchor = at.anchor,
+                                    .across = sideSign(at.side) * kClaspHalfWidth * m_diameter,
+                                    .out = at.lower});
+        return;
+    }
+    addCorner(at, !at.incoming);
+    addCorner(at, at.incoming);
 }
 
-void CurvePlanner::addCorner(PointIndex p, bool atUpper) {
-    const float outside = point(p).role == Role::Head ? 1.0F : -1.0F;
-    m_plan.m_corners.push_back({.control = newControl(p),
-                                .entry = point(p).entry,
-                                .across = outside * sideSign(p) * kClaspHalfWidth * m_diameter,
+void CurvePlanner::addCorner(const Station& at, bool atUpper) {
+    const float outside = at.kind == Station::Kind::Head ? 1.0F : -1.0F;
+    m_plan.m_corners.push_back({.control = newControl(at, at),
+                                .anchor = at.anchor,
+                                .across = outside * sideSign(at.side) * kClaspHalfWidth * m_diameter,
                                 .along = (atUpper ? 1.0F : -1.0F) * kClaspHalfHeight * m_diameter,
-                                .out = kDepthGain * (atUpper ? upper(p) : lower(p))});
+                                .out = kDepthGain * (atUpper ? at.upper : at.lower)});
 }
 
-/// Crossings before the first corner of their loop lie on the float or sinker that leads to it.
-bool CurvePlanner::isOnLeg(PointIndex p) const {
-    const fabric::Loop& loop = m_fabric.loops[static_cast<std::size_t>(point(p).loop)];
-    for (const PointIndex corner : loop.corners()) {
-        if (corner >= 0 && corner < p) {
-            return true;
+void CurvePlanner::connect(const Station& a, const Station& b) {
+    if (a.kind == Station::Kind::Head && b.kind == Station::Kind::Head && a.loop == b.loop) {
+        addHeadArc(a, b);
+    } else if (a.loop == b.loop && a.kind != Station::Kind::OnFloat && b.kind != Station::Kind::OnFloat) {
+        if (!a.isCrossing() && !b.isCrossing()) {
+            addLeg(a, b);
         }
-    }
-    return point(p).role != Role::Crossing;
-}
-
-void CurvePlanner::connect(PointIndex p, PointIndex q) {
-    const bool crossing = point(p).role == Role::Crossing || point(q).role == Role::Crossing;
-    if (point(p).loop == point(q).loop && isOnLeg(p)) {
-        if (point(p).role == Role::Head && point(q).role == Role::Head) {
-            addHeadArc(p, q);
-        } else if (!crossing) {
-            addLeg(p, q);
-        }
-    } else if (crossing || isFarAcross(p, q)) {
-        addFloat(p, q);
-    } else if (isTurn(p, q)) {
-        addTurn(p, q);
+    } else if (a.isCrossing() || b.isCrossing() || isFarAcross(a, b)) {
+        addFloat(a, b);
+    } else if (isTurn(a, b)) {
+        addTurn(a, b);
     } else {
-        addSinker(p, q);
+        addSinker(a, b);
     }
 }
 
-void CurvePlanner::addHeadArc(PointIndex p, PointIndex q) {
-    m_plan.m_arcs.push_back({.control = newControl(p),
-                             .from = point(p).entry,
-                             .to = point(q).entry,
-                             .storedMm = stored(p),
+void CurvePlanner::addHeadArc(const Station& a, const Station& b) {
+    m_plan.m_arcs.push_back({.control = newControl(a, b),
+                             .from = a.anchor,
+                             .to = b.anchor,
+                             .storedMm = stored(a),
                              .gain = kHeadGain,
                              .leastMm = kArcLeast * m_diameter,
                              .mostRise = kHeadMost,
                              .alongSide = 1,
-                             .out = 0.5F * kDepthGain * (upper(p) + upper(q))});
+                             .out = 0.5F * kDepthGain * (a.upper + b.upper)});
 }
 
-void CurvePlanner::addLeg(PointIndex p, PointIndex q) {
-    const float depth = 0.5F * (isRising(p) ? upper(p) + lower(q) : lower(p) + upper(q));
-    const bool far = isFarAcross(p, q);
+void CurvePlanner::addLeg(const Station& a, const Station& b) {
+    const float nearA = a.incoming ? a.upper : a.lower;
+    const float nearB = b.incoming ? b.lower : b.upper;
+    const bool far = isFarAcross(a, b);
     if (far) {
-        addReach(p, q, p, isRising(p) ? upper(p) : lower(p));
+        addReach(a, b, a, nearA);
     }
-    m_plan.m_arcs.push_back({.control = newControl(p),
-                             .from = point(p).entry,
-                             .to = point(q).entry,
-                             .storedMm = stored(p),
-                             .gain = kBellyGain,
+    const bool foot = a.kind == Station::Kind::Foot || b.kind == Station::Kind::Foot;
+    m_plan.m_arcs.push_back({.control = newControl(a, b),
+                             .from = a.anchor,
+                             .to = b.anchor,
+                             .storedMm = stored(a),
+                             .gain = foot ? kBellyGain : 0,
                              .mostRise = kBellyMost,
-                             .acrossSide = sideSign(p),
-                             .out = kDepthGain * depth});
+                             .acrossSide = sideSign(a.side),
+                             .out = 0.5F * kDepthGain * (nearA + nearB)});
     if (far) {
-        addReach(q, p, p, isRising(p) ? lower(q) : upper(q));
+        addReach(b, a, a, nearB);
     }
 }
 
-void CurvePlanner::addSinker(PointIndex p, PointIndex q) {
-    const bool open = point(p).role == Role::Head && point(q).role == Role::Head;
-    // The long yarn between loops without feet needs a broad bottom.
-    const int parts = open ? 2 : 1;
-    for (int i = 0; i < parts; ++i) {
-        m_plan.m_arcs.push_back({.control = newControl(p),
-                                 .from = point(p).entry,
-                                 .to = point(q).entry,
-                                 .share = open ? 0.3F + 0.4F * static_cast<float>(i) : 0.5F,
-                                 .storedMm = stored(p),
-                                 .gain = kHeadGain,
-                                 .leastMm = kArcLeast * m_diameter,
-                                 .mostRise = open ? kOpenSinkerMost : kHeadMost,
-                                 .alongSide = -1,
-                                 .out = 0.5F * kDepthGain * (lower(p) + lower(q))});
-    }
+void CurvePlanner::addSinker(const Station& a, const Station& b) {
+    // Where several passes of a course run from bed to bed, the later yarns lie above the earlier ones.
+    const bool acrossGap = pullSign(m_fabric, a.loop) != pullSign(m_fabric, b.loop);
+    const float rise = acrossGap ? kLevelRise * m_levels[static_cast<std::size_t>(b.loop)] : 0;
+    m_plan.m_arcs.push_back({.control = newControl(a, b),
+                             .from = a.anchor,
+                             .to = b.anchor,
+                             .storedMm = stored(a),
+                             .gain = kHeadGain,
+                             .leastMm = kArcLeast * m_diameter,
+                             .mostRise = kHeadMost,
+                             .alongSide = rise - 1,
+                             .out = 0.5F * kDepthGain * (a.lower + b.lower)});
 }
 
-void CurvePlanner::addTurn(PointIndex p, PointIndex q) {
-    for (const PointIndex near : {p, q}) {
-        m_plan.m_reaches.push_back({.control = newControl(p),
-                                    .near = point(near).entry,
-                                    .far = point(near).entry,
-                                    .dipMm = kTurnDown * m_diameter,
-                                    .across = sideSign(near) * kTurnOut * m_diameter,
-                                    .out = kDepthGain * lower(near)});
-    }
+void CurvePlanner::addTurn(const Station& a, const Station& b) {
+    const auto add = [&](const Station& near, float across, float down) {
+        m_plan.m_reaches.push_back({.control = newControl(a, near),
+                                    .near = near.anchor,
+                                    .far = near.anchor,
+                                    .dipMm = down * m_diameter,
+                                    .across = sideSign(near.side) * across * m_diameter,
+                                    .out = kDepthGain * near.lower});
+    };
+    add(a, kTurnOut, kTurnDown);
+    add(b, kTurnBackOut, kTurnBackDown);
 }
 
-void CurvePlanner::addFloat(PointIndex p, PointIndex q) {
-    if (point(p).role != Role::Crossing) {
-        addReach(p, q, p, lower(p));
+void CurvePlanner::addFloat(const Station& a, const Station& b) {
+    if (!a.isCrossing()) {
+        addReach(a, b, a, a.lower);
     }
-    if (isFarAcross(p, q)) {
-        m_plan.m_arcs.push_back({.control = newControl(p),
-                                 .from = point(p).entry,
-                                 .to = point(q).entry,
-                                 .storedMm = stored(p),
+    if (isFarAcross(a, b)) {
+        m_plan.m_arcs.push_back({.control = newControl(a, b),
+                                 .from = a.anchor,
+                                 .to = b.anchor,
+                                 .storedMm = stored(a),
                                  .gain = kFloatGain,
                                  .mostRise = kFloatMost,
                                  .alongSide = -1,
-                                 .out = 0.5F * (lower(p) + lower(q))});
+                                 .out = 0.5F * (a.lower + b.lower)});
     }
-    if (point(q).role != Role::Crossing) {
-        addReach(q, p, p, lower(q));
+    if (!b.isCrossing()) {
+        addReach(b, a, a, b.lower);
     }
 }
 
-void CurvePlanner::addReach(PointIndex near, PointIndex far, PointIndex owner, float out) {
-    const bool leg = point(near).loop == point(far).loop && point(far).role != Role::Crossing;
-    m_plan.m_reaches.push_back({.control = newControl(owner),
-                                .near = point(near).entry,
-                                .far = point(far).entry,
+void CurvePlanner::addReach(const Station& near, const Station& far, const Station& owner, float out) {
+    const bool leg = near.loop == far.loop && !far.isCrossing();
+    m_plan.m_reaches.push_back({.control = newControl(owner, near),
+                                .near = near.anchor,
+                                .far = far.anchor,
                                 .reachMm = kReach * m_diameter,
                                 .dipMm = leg ? 0 : kFloatDip * m_diameter,
                                 .out = kDepthGain * out});

@@ -12,38 +12,59 @@ public:
     void run();
 
 private:
+    using Anchor = CurvePlan::Anchor;
+
+    /// What a yarn runs through: bonding points, and the bases of legs that have no foot.
+    struct Station {
+        fabric::PointIndex point = -1; ///< at or before it
+        fabric::PointIndex self = -1;  ///< the same, but the head above a base
+        machine::LoopIndex loop = -1;
+        fabric::Side side = fabric::Side::Left;
+        enum class Kind : std::uint8_t { Foot, Base, Head, OnLeg, OnFloat } kind = Kind::Foot;
+        Anchor anchor;
+        bool incoming = true; ///< before the middle of its loop
+        float lower = 0;      ///< depth of the strand, see StrandDepth
+        float upper = 0;
+
+        bool isCrossing() const { return kind == Kind::OnLeg || kind == Kind::OnFloat; }
+        bool beginsLeg() const { return kind == Kind::Foot || kind == Kind::Base; }
+    };
+
+    void collectStations(const fabric::Yarn& yarn);
+    Station stationAt(fabric::PointIndex p) const;
+    Station baseOf(const Station& onLeg, fabric::PointIndex owner) const;
+    fabric::EntryIndex footBeside(machine::LoopIndex of, bool before) const;
+
     const fabric::BondingPoint& point(fabric::PointIndex p) const {
         return m_fabric.points[static_cast<std::size_t>(p)];
     }
-    float sideSign(fabric::PointIndex p) const { return point(p).side == fabric::Side::Right ? 1.0F : -1.0F; }
-    bool isRising(fabric::PointIndex p) const;
-    bool isOnLeg(fabric::PointIndex p) const;
-    bool isFarAcross(fabric::PointIndex p, fabric::PointIndex q) const;
-    bool isTurn(fabric::PointIndex p, fabric::PointIndex q) const;
-    float lower(fabric::PointIndex p) const { return m_depths[static_cast<std::size_t>(p)].lower; }
-    float upper(fabric::PointIndex p) const { return m_depths[static_cast<std::size_t>(p)].upper; }
+    const fabric::Loop& loop(machine::LoopIndex l) const { return m_fabric.loops[static_cast<std::size_t>(l)]; }
+    bool isFarAcross(const Station& a, const Station& b) const;
+    bool isTurn(const Station& a, const Station& b) const;
+    float stored(const Station& a) const { return static_cast<float>(m_fabric.lengths[static_cast<std::size_t>(a.point)]); }
 
-    float stored(fabric::PointIndex p) const {
-        return static_cast<float>(m_fabric.lengths[static_cast<std::size_t>(p)]);
-    }
-
-    std::int32_t newControl(fabric::PointIndex p);
+    std::int32_t newControl(const Station& owner, const Station& piece);
+    void addEnd();
     void addYarn(const fabric::Yarn& yarn);
-    void addTail(fabric::PointIndex p);
-    void addPoint(fabric::PointIndex p);
-    void addCorner(fabric::PointIndex p, bool atUpper);
-    void connect(fabric::PointIndex p, fabric::PointIndex q);
-    void addHeadArc(fabric::PointIndex p, fabric::PointIndex q);
-    void addLeg(fabric::PointIndex p, fabric::PointIndex q);
-    void addSinker(fabric::PointIndex p, fabric::PointIndex q);
-    void addTurn(fabric::PointIndex p, fabric::PointIndex q);
-    void addFloat(fabric::PointIndex p, fabric::PointIndex q);
-    void addReach(fabric::PointIndex near, fabric::PointIndex far, fabric::PointIndex owner, float out);
+    void addTail(const Station& at);
+    void addStation(const Station& at);
+    void addCorner(const Station& at, bool atUpper);
+    void connect(const Station& a, const Station& b);
+    void addHeadArc(const Station& a, const Station& b);
+    void addLeg(const Station& a, const Station& b);
+    void addSinker(const Station& a, const Station& b);
+    void addTurn(const Station& a, const Station& b);
+    void addFloat(const Station& a, const Station& b);
+    void addReach(const Station& near, const Station& far, const Station& owner, float out);
 
     const fabric::Fabric& m_fabric;
     std::span<const double> m_diameterMm;
     CurvePlan& m_plan;
     std::vector<StrandDepth> m_depths;
+    std::vector<float> m_levels; ///< by loop, see passLevels()
+    std::vector<Station> m_stations;
+    fabric::PointIndex m_yarnFirst = 0; ///< of the yarn at hand
+    fabric::PointIndex m_yarnEnd = 0;
     float m_diameter = 0.3F; ///< of the yarn at hand
 };
 

@@ -69,6 +69,10 @@ private:
 
     void orderBonding() {
         std::ranges::sort(m_feet, {}, [&](PointIndex p) { return point(p).loop; });
+        // Yarns knitted together keep their order from the feet to the heads.
+        if (!m_feet.empty() && pullSign(m_fabric, point(m_feet[0]).loop) > 0) {
+            std::ranges::reverse(m_feet);
+        }
         const int sign = m_feet.empty() ? bedSignOfHeads() : pullSign(m_fabric, point(m_feet[0]).loop);
         sortHeadsFromTheBack(sign);
         for (const bool upper : {false, true}) {

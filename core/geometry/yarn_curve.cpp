@@ -36,6 +36,8 @@ YarnCurveBuilder::YarnCurveBuilder(const fabric::Fabric& fabric, std::span<const
             const int own = i + 1 < yarn.count ? samples : 1;
             m_curves.point.insert(m_curves.point.end(), static_cast<std::size_t>(own),
                                   m_plan.pointOfControl()[control]);
+            m_curves.piece.insert(m_curves.piece.end(), static_cast<std::size_t>(own),
+                                  m_plan.pieceOfControl()[control]);
             node += own;
         }
     }

@@ -1,0 +1,65 @@
+#include "core/fabric/wale_places.h"
+
+#include <cmath>
+
+namespace knittsim::fabric {
+
+namespace {
+
+constexpr double kFacing = 0.6;      ///< pitches: needles of both beds nearer than this face each other
+constexpr double kHalfPitch = 0.5;   ///< that they stand apart then
+constexpr double kNarrowHalf = 0.12; ///< half width of the loops then
+
+/// Where each loop would stand by its own pass.
+std::vector<WalePlace> placesMade(const Fabric& fabric) {
+    const auto& loops = fabric.made.loops;
+    std::vector<WalePlace> places(loops.size());
+    std::vector<LoopIndex> lastOfYarn;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        const machine::Loop& loop = loops[i];
+        places[i].centre = machine::positionPitches(loop.needle, loop.rack);
+        const auto yarn = static_cast<std::size_t>(loop.yarn);
+        lastOfYarn.resize(std::max(lastOfYarn.size(), yarn + 1), -1);
+        const LoopIndex previous = lastOfYarn[yarn];
+        lastOfYarn[yarn] = static_cast<LoopIndex>(i);
+        if (previous < 0) {
+            continue;
+        }
+        const auto p = static_cast<std::size_t>(previous);
+        const double way = machine::sign(loop.direction) *
+                           (places[i].centre - machine::positionPitches(loops[p].needle, loops[p].rack));
+        if (loops[p].direction == loop.direction && std::abs(way) < kFacing &&
+            machine::isFront(loops[p].needle.bed) != machine::isFront(loop.needle.bed)) {
+            const double apart = machine::sign(loop.direction) * 0.5 * (kHalfPitch - way);
+            places[p].centre -= apart;
+            places[i].centre += apart;
+            places[p].halfWidth = places[i].halfWidth = kNarrowHalf;
+        }
+    }
+    return places;
+}
+
+} // namespace
+
+std::vector<WalePlace> walePlaces(const Fabric& fabric) {
+    const std::vector<WalePlace> made = placesMade(fabric);
+    std::vector<WalePlace> places(made.size());
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        const Loop& loop = fabric.loops[i];
+        places[i] = {machine::positionPitches(loop.bound, loop.boundRack), made[i].halfWidth};
+        if (loop.end != Loop::End::Bound && loop.bound == fabric.made.loops[i].needle) {
+            places[i].centre = made[i].centre;
+        }
+    }
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        for (const LoopIndex parent : fabric.made.parentsOf(static_cast<LoopIndex>(i))) {
+            const auto p = static_cast<std::size_t>(parent);
+            if (fabric.loops[p].bound == fabric.made.loops[i].needle) {
+                places[p] = made[i];
+            }
+        }
+    }
+    return places;
+}
+
+} // namespace knittsim::fabric

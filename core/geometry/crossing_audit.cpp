@@ -1,0 +1,339 @@
+#include "core/geometry/crossing_audit.h"
+
+#include "core/geometry/strand_order.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace knittsim::geometry {
+
+using fabric::BondingPoint;
+using fabric::Fabric;
+using fabric::Piece;
+using fabric::PointIndex;
+using fabric::Role;
+
+namespace {
+
+/// One crossing of two pieces a < b: who is in front, and the sign when both pieces run with time (legs from
+/// foot to head, floats as the carrier went).
+struct Event {
+    CurvePiece a;
+    CurvePiece b;
+    bool aOver = false;
+    int sign = 0;
+    float place = 0; ///< along a, with time
+    PointIndex over = -1;  ///< bonding points that the strands are nearest to
+    PointIndex under = -1;
+    std::int32_t node = -1;
+};
+
+class Auditor {
+public:
+    Auditor(const Fabric& fabric, const YarnCurves& curves) : m_fabric(fabric), m_curves(curves) {
+        m_next.assign(fabric.loops.size(), -1);
+        for (std::size_t i = 0; i < fabric.loops.size(); ++i) {
+            for (const machine::LoopIndex parent : fabric.made.parentsOf(static_cast<machine::LoopIndex>(i))) {
+                m_next[static_cast<std::size_t>(parent)] = static_cast<machine::LoopIndex>(i);
+            }
+        }
+    }
+
+    CrossingAudit run(const std::vector<ProjectedCrossing>& crossings) {
+        expectLoops();
+        expectCrossings();
+        for (const ProjectedCrossing& crossing : crossings) {
+            addFound(crossing);
+        }
+        const auto order = [](const Event& x, const Event& y) {
+            return std::tie(x.a, x.b, x.place) < std::tie(y.a, y.b, y.place);
+        };
+        std::ranges::sort(m_found, order);
+        std::ranges::stable_sort(m_wanted, order);
+        compare();
+        matchBeside();
+        judgeFurther();
+        return std::move(m_audit);
+    }
+
+private:
+    const BondingPoint& point(PointIndex p) const { return m_fabric.points[static_cast<std::size_t>(p)]; }
+    const machine::Loop& made(machine::LoopIndex loop) const {
+        return m_fabric.made.loops[static_cast<std::size_t>(loop)];
+    }
+
+    CurvePiece pieceOf(PointIndex p) const {
+        const BondingPoint& bp = point(p);
+        if (bp.role != Role::Crossing) {
+            return {bp.loop, bp.side == fabric::Side::Left ? Piece::LeftLeg : Piece::RightLeg};
+        }
+        if (bp.piece == Piece::Float) {
+            for (const PointIndex beside : {p + 1, p - 1}) {
+                if (crossesBack(p, beside)) {
+                    return pieceOf(beside);
+                }
+            }
+        }
+        return {bp.loop, bp.piece};
+    }
+
+    /// A float passes a leg just before its loop is drawn through there (or just after): both belong to one
+    /// piece, on which they cancel if the yarn turned round.
+    bool crossesBack(PointIndex p, PointIndex foot) const {
+        if (foot < 0 || foot >= static_cast<PointIndex>(m_fabric.points.size()) ||
+            point(foot).role != Role::Foot) {
+            return false;
+        }
+        const fabric::Crossing& crossing = m_fabric.crossings[static_cast<std::size_t>(point(p).crossing)];
+        const BondingPoint& other = point(crossing.over == p ? crossing.under : crossing.over);
+        const Piece side = point(foot).side == fabric::Side::Left ? Piece::LeftLeg : Piece::RightLeg;
+        const auto parents = m_fabric.made.parentsOf(point(foot).loop);
+        return other.piece == side && std::ranges::find(parents, other.loop) != parents.end();
+    }
+
+    /// +1 when time runs along the yarn there, -1 when it runs against it.
+    int timeSense(const CurvePiece& piece) const {
+        if (piece.piece == Piece::Float) {
+            return 1;
+        }
+        const bool rightward = made(piece.loop).direction == machine::Direction::Right;
+        return rightward == (piece.piece == Piece::LeftLeg) ? 1 : -1;
+    }
+
+    /// -1 where a point of a float counts as part of a leg that time runs up against the yarn.
+    int senseOf(PointIndex p, const CurvePiece& piece) const {
+        return point(p).piece == Piece::Float && point(p).role == Role::Crossing ? timeSense(piece) : 1;
+    }
+
+    void addFound(const ProjectedCrossing& crossing) {
+        const PointIndex overPoint = pointAt(crossing.over);
+        const PointIndex underPoint = pointAt(crossing.under);
+        const CurvePiece over = pieceOf(overPoint);
+        const CurvePiece under = pieceOf(underPoint);
+        if (over == under) {
+            return;
+        }
+        const int sign = crossing.sign * timeSense(over) * timeSense(under);
+        const float onOver = static_cast<float>(timeSense(over)) *
+                             (static_cast<float>(crossing.over) + crossing.overShare);
+        const float onUnder = static_cast<float>(timeSense(under)) *
+                              (static_cast<float>(crossing.under) + crossing.underShare);
+        if (over < under) {
+            m_found.push_back({over, under, true, sign, onOver, overPoint, underPoint, crossing.over});
+        } else {
+            m_found.push_back({under, over, false, sign, onUnder, overPoint, underPoint, crossing.under});
+        }
+    }
+
+    PointIndex pointAt(std::int32_t node) const { return m_curves.piece[static_cast<std::size_t>(node)]; }
+
+    void want(PointIndex over, PointIndex under, int sign, float place) {
+        const CurvePiece a = pieceOf(over);
+        const CurvePiece b = pieceOf(under);
+        m_wanted.push_back({std::min(a, b), std::max(a, b), a < b, sign, place, over, under, -1});
+    }
+
+    /// A loop passes behind the legs of the loops that it is drawn through and over their heads, or the other
+    /// way round on the rear bed.
+    void expectLoops() {
+        for (std::size_t i = 0; i < m_fabric.loops.size(); ++i) {
+            const auto child = static_cast<machine::LoopIndex>(i);
+            if (m_fabric.loops[i].footLeft < 0) {
+                continue;
+            }
+            for (const machine::LoopIndex parent : m_fabric.made.parentsOf(child)) {
+                for (const Piece side : {Piece::LeftLeg, Piece::RightLeg}) {
+                    const bool left = side == Piece::LeftLeg;
+                    const fabric::Loop& own = m_fabric.loops[i];
+                    const fabric::Loop& old = m_fabric.loops[static_cast<std::size_t>(parent)];
+                    const PointIndex self = left ? own.footLeft : own.footRight;
+                    const PointIndex other = left ? old.headLeft : old.headRight;
+                    const bool front = pullSign(m_fabric, child) > 0;
+                    const int sign = front == left ? -1 : 1;
+                    want(front ? other : self, front ? self : other, sign, 0);
+                    want(front ? self : other, front ? other : self, sign, 1);
+                }
+            }
+        }
+    }
+
+    void expectCrossings() {
+        for (const fabric::Crossing& crossing : m_fabric.crossings) {
+            if (crossing.over >= 0 && crossing.under >= 0 && !isKink(crossing)) {
+                // Time runs up a leg, but down from its foot along the float behind it.
+                const CurvePiece over = pieceOf(crossing.over);
+                const CurvePiece under = pieceOf(crossing.under);
+                const int sense = senseOf(crossing.over, over) * senseOf(crossing.under, under);
+                want(crossing.over, crossing.under, crossing.sign * sense, -1);
+            }
+        }
+    }
+
+    /// A yarn that turns back behind the leg it has just left makes a kink (first Reidemeister move).
+    bool isKink(const fabric::Crossing& crossing) const {
+        return isKink(crossing.over, crossing.under) || isKink(crossing.under, crossing.over);
+    }
+    bool isKink(PointIndex onFloat, PointIndex onLeg) const {
+        if (point(onFloat).piece != Piece::Float || point(onLeg).piece == Piece::Float) {
+            return false;
+        }
+        const auto step = onFloat < onLeg ? 1 : -1;
+        for (PointIndex p = onFloat; p != onLeg; p += step) {
+            const bool same = pieceOf(p) == pieceOf(onLeg) || (p == onFloat);
+            if (!same) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    void compare() {
+        std::size_t f = 0;
+        std::size_t w = 0;
+        while (f < m_found.size() || w < m_wanted.size()) {
+            const auto key = [](const Event& e) { return std::tie(e.a, e.b); };
+            const bool takeFound = w == m_wanted.size() ||
+                                   (f < m_found.size() && key(m_found[f]) <= key(m_wanted[w]));
+            const Event& head = takeFound ? m_found[f] : m_wanted[w];
+            std::size_t fEnd = f;
+            while (fEnd < m_found.size() && key(m_found[fEnd]) == key(head)) {
+                ++fEnd;
+            }
+            std::size_t wEnd = w;
+            while (wEnd < m_wanted.size() && key(m_wanted[wEnd]) == key(head)) {
+                ++wEnd;
+            }
+            comparePair(f, fEnd, w, wEnd);
+            f = fEnd;
+            w = wEnd;
+        }
+    }
+
+    void comparePair(std::size_t f, std::size_t fEnd, std::size_t w, std::size_t wEnd) {
+        cancel(m_found, f, fEnd, m_left);
+        cancel(m_wanted, w, wEnd, m_asked);
+        m_audit.expected += m_asked.size();
+        for (const Event* wanted : m_asked) {
+            const auto match = std::ranges::find_if(m_left, [&](const Event* e) {
+                return e->aOver == wanted->aOver && e->sign == wanted->sign;
+            });
+            if (match == m_left.end()) {
+                m_missing.push_back(wanted);
+            } else {
+                ++m_audit.found;
+                m_left.erase(match);
+            }
+        }
+        m_further.insert(m_further.end(), m_left.begin(), m_left.end());
+    }
+
+    /// Where one piece of a yarn ends and the next begins is not sharp: a missing crossing may have been
+    /// found on the pieces beside.
+    void matchBeside() {
+        std::ranges::sort(m_further, {}, [](const Event* e) { return e->over; });
+        for (const Event* wanted : m_missing) {
+            const auto isIt = [&](const Event* e) {
+                return e != nullptr && std::abs(e->over - wanted->over) <= 1 &&
+                       std::abs(e->under - wanted->under) <= 1 && signedBy(*e, *wanted);
+            };
+            auto from = std::ranges::lower_bound(m_further, wanted->over - 1, {}, [](const Event* e) { return e->over; });
+            while (from != m_further.end() && (*from)->over <= wanted->over + 1 && !isIt(*from)) {
+                ++from;
+            }
+            if (from != m_further.end() && (*from)->over <= wanted->over + 1) {
+                ++m_audit.found;
+                m_further.erase(from);
+            } else {
+                m_audit.faults.push_back({CrossingFault::Kind::Missing, wanted->a, wanted->b, wanted->node});
+            }
+        }
+    }
+
+    /// The same sign, time counted on both strands as on the wanted pieces.
+    bool signedBy(const Event& found, const Event& wanted) const {
+        return found.sign * timeSense(found.a) * timeSense(found.b) ==
+               wanted.sign * timeSense(wanted.a) * timeSense(wanted.b);
+    }
+
+    void judgeFurther() {
+        for (const Event* e : m_further) {
+            const int order = layerOrder(e->a, e->b);
+            if (order == 0) {
+                m_audit.faults.push_back({CrossingFault::Kind::Unexplained, e->a, e->b, e->node});
+            } else if ((order > 0) != e->aOver) {
+                m_audit.faults.push_back({CrossingFault::Kind::WrongOrder, e->a, e->b, e->node});
+            } else {
+                ++m_audit.layered;
+            }
+        }
+    }
+
+    /// Crossings with the same strand in front and opposite signs cancel.
+    static void cancel(const std::vector<Event>& events, std::size_t first, std::size_t end,
+                       std::vector<const Event*>& left) {
+        left.clear();
+        for (std::size_t i = first; i < end; ++i) {
+            const Event& e = events[i];
+            if (!left.empty() && left.back()->aOver == e.aOver && left.back()->sign == -e.sign) {
+                left.pop_back();
+            } else {
+                left.push_back(&e);
+            }
+        }
+    }
+
+    /// +1 when the layers say that a lies in front of b, -1 behind, 0 when they say nothing.
+    int layerOrder(const CurvePiece& a, const CurvePiece& b) const {
+        if (a.loop == b.loop && a.piece != Piece::Float && b.piece != Piece::Float) {
+            return 0;
+        }
+        if (const int order = stackOrder(a.loop, b.loop); order != 0) {
+            return order;
+        }
+        const int bedA = layer(a);
+        const int bedB = layer(b);
+        if (bedA != bedB) {
+            return bedA > bedB ? 1 : -1;
+        }
+        return 0;
+    }
+
+    /// Loops on one needle lie over each other: the first of the stack is nearest to the side that the next
+    /// loop is pulled to.
+    int stackOrder(machine::LoopIndex a, machine::LoopIndex b) const {
+        const machine::LoopIndex next = m_next[static_cast<std::size_t>(a)];
+        if (a == b || next < 0 || next != m_next[static_cast<std::size_t>(b)]) {
+            return 0;
+        }
+        const auto stack = m_fabric.made.parentsOf(next);
+        const bool aFirst = std::ranges::find(stack, a) < std::ranges::find(stack, b);
+        return aFirst ? pullSign(m_fabric, next) : -pullSign(m_fabric, next);
+    }
+
+    /// +1 on the front bed, 0 between the beds, -1 on the rear bed.
+    int layer(const CurvePiece& piece) const {
+        if (piece.piece == Piece::Float) {
+            return 0;
+        }
+        return machine::isFront(m_fabric.loops[static_cast<std::size_t>(piece.loop)].bound.bed) ? 1 : -1;
+    }
+
+    const Fabric& m_fabric;
+    const YarnCurves& m_curves;
+    std::vector<machine::LoopIndex> m_next; ///< by loop: the last one drawn through it, or -1
+    std::vector<Event> m_found;
+    std::vector<Event> m_wanted;
+    std::vector<const Event*> m_left, m_asked;
+    std::vector<const Event*> m_missing, m_further;
+    CrossingAudit m_audit;
+};
+
+} // namespace
+
+CrossingAudit auditCrossings(const Fabric& fabric, const YarnCurves& curves,
+                             const std::vector<ProjectedCrossing>& crossings) {
+    return Auditor(fabric, curves).run(crossings);
+}
+
+} // namespace knittsim::geometry
