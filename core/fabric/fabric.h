@@ -81,6 +81,7 @@ struct Loop {
     Needle bound;         ///< needle on which the next loop came through it, or where it is at the end
     double boundRack = 0; ///< racking then
     enum class End : std::uint8_t { Bound, Held, Dropped } end = End::Held;
+    bool crowded = false;  ///< it was made between loops of the other bed, a fraction of a pitch aside
     bool onNeedle = false; ///< hangs on a needle at the end; after a split a bound loop may still do so
 
     std::array<PointIndex, 4> corners() const { return {footLeft, headLeft, headRight, footRight}; }

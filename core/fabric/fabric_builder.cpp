@@ -24,6 +24,7 @@ std::vector<Loop> fatesToLoops(const machine::LoopTable& made, const StrandTrack
         loops[i].bound = fate.needle;
         loops[i].boundRack = fate.rack;
         loops[i].end = fate.end;
+        loops[i].crowded = fate.crowded;
     }
     return loops;
 }

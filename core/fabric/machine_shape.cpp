@@ -38,12 +38,12 @@ std::vector<std::int32_t> topCourses(const Fabric& fabric) {
     return tops;
 }
 
-void placeHeads(Fabric& fabric, const machine::MachineProfile& profile, double height) {
+void placeHeads(Fabric& fabric, const machine::MachineProfile& profile, double height,
+                const std::vector<WalePlace>& wales) {
     // Below the beds the take-down draws the two sides together.
     const double gap = std::min(profile.bedGapMm, kGapInCourses * height);
     const std::vector<std::int32_t> tops = topCourses(fabric);
-    const std::vector<WalePlace> wales = walePlaces(fabric);
-    for (std::size_t i = 0; i < fabric.loops.size(); ++i) {
+        for (std::size_t i = 0; i < fabric.loops.size(); ++i) {
         const Loop& loop = fabric.loops[i];
         const double z = (machine::isFront(loop.bound.bed) ? 0.5 : -0.5) * gap;
         for (const auto& [point, side] : {std::pair{loop.headLeft, -1.0}, {loop.headRight, 1.0}}) {
@@ -59,8 +59,8 @@ void placeHeads(Fabric& fabric, const machine::MachineProfile& profile, double h
 /// Puts the crossings where their two strands can meet.
 class CrossingPlacer {
 public:
-    CrossingPlacer(Fabric& fabric, double height)
-        : m_fabric(fabric), m_height(height), m_level(passLevels(fabric)) {}
+    CrossingPlacer(Fabric& fabric, double height, const std::vector<WalePlace>& wales)
+        : m_fabric(fabric), m_height(height), m_wales(wales), m_level(passLevels(fabric)) {}
 
     void run() {
         m_wish.assign(m_fabric.points.size(), Vec3::Zero());
@@ -80,7 +80,9 @@ private:
         Vec3 place = 0.5 * (wishA + wishB);
         const bool floatA = point(a).piece == Piece::Float;
         if (floatA != (point(b).piece == Piece::Float)) {
+            const Vec3& onFloat = floatA ? wishA : wishB;
             place.x() = floatA ? wishB.x() : wishA.x();
+            place.y() = std::clamp(place.y(), onFloat.y() - 0.5 * m_height, onFloat.y() + 0.5 * m_height);
         }
         return place;
     }
@@ -159,13 +161,16 @@ private:
         }
         Vec3 below = place(side == Side::Left ? l.headLeft : l.headRight);
         const double level = l.course + static_cast<double>(m_level[static_cast<std::size_t>(index)]);
+        const WalePlace& wale = m_wales[static_cast<std::size_t>(index)];
+        below.x() = (wale.centre + (side == Side::Left ? -1 : 1) * wale.halfWidth) * m_fabric.pitchMm;
         below.y() = std::min(level * m_height, below.y() - 0.5 * m_height);
         return below;
     }
 
     Fabric& m_fabric;
     double m_height;
-    std::vector<Vec3> m_wish; ///< by point
+    const std::vector<WalePlace>& m_wales; ///< by loop, where the yarn was laid
+    std::vector<Vec3> m_wish;              ///< by point
     std::vector<float> m_level;
     LoopIndex m_previous = -1; ///< loop of the last corner
 };
@@ -175,8 +180,9 @@ private:
 void layOutOnMachine(Fabric& fabric, const machine::MachineProfile& profile) {
     fabric.machinePositions.assign(static_cast<std::size_t>(fabric.entryCount), Vec3::Zero());
     const double height = courseHeight(fabric);
-    placeHeads(fabric, profile, height);
-    CrossingPlacer(fabric, height).run();
+    const WalePlaces wales = walePlaces(fabric);
+    placeHeads(fabric, profile, height, wales.bound);
+    CrossingPlacer(fabric, height, wales.made).run();
 }
 
 } // namespace knittsim::fabric

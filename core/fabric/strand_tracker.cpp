@@ -145,7 +145,7 @@ void StrandTracker::passFloat(CarrierIndex moving, const Met& met, int direction
 void StrandTracker::loopMade(LoopIndex loop) {
     const machine::Loop& made = m_emulator.loops().loops[static_cast<std::size_t>(loop)];
     Yarn& yarn = m_yarns[made.carrier];
-    m_fates.push_back({made.needle, made.rack, Loop::End::Held});
+    m_fates.push_back({made.needle, made.rack, Loop::End::Held, isCrowded(made.needle, made.rack)});
     m_stay.push_back(++m_stayCount);
     m_openPassings.push_back(0);
     for (const LoopIndex parent : m_emulator.loops().parentsOf(loop)) {
@@ -186,14 +186,25 @@ void StrandTracker::loopsMoved(Needle from, Needle to, std::span<const LoopIndex
 void StrandTracker::loopsDropped(Needle needle, std::span<const LoopIndex> loops) {
     for (const LoopIndex loop : loops) {
         Fate& fate = m_fates[static_cast<std::size_t>(loop)];
-        fate = {needle, m_emulator.state().rack,
-                fate.end == Loop::End::Bound ? fate.end : Loop::End::Dropped};
+        fate.needle = needle;
+        fate.rack = m_emulator.state().rack;
+        fate.end = fate.end == Loop::End::Bound ? fate.end : Loop::End::Dropped;
     }
     forgetFacing(needle);
 }
 
 void StrandTracker::yarnCut(CarrierIndex carrier) {
     m_yarns[carrier] = {};
+}
+
+bool StrandTracker::isCrowded(Needle needle, double rack) const {
+    const bool front = machine::isFront(needle.bed);
+    const double facing = front ? needle.index - rack : needle.index + rack;
+    if (facing == std::floor(facing)) {
+        return false; // face to face
+    }
+    return holdsLoop(!front, static_cast<std::int32_t>(std::floor(facing))) ||
+           holdsLoop(!front, static_cast<std::int32_t>(std::ceil(facing)));
 }
 
 bool StrandTracker::holdsLoop(bool front, std::int32_t index) const {

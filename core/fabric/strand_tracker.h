@@ -60,6 +60,7 @@ public:
         Needle needle;
         double rack = 0;
         Loop::End end = Loop::End::Held;
+        bool crowded = false; ///< see Loop::crowded
     };
     const std::vector<Fate>& fates() const { return m_fates; }
 
@@ -104,6 +105,7 @@ private:
     void passFloat(CarrierIndex moving, const Met& met, int direction);
     void rackNeedle(std::int32_t rear, double from, double to);
     void passRear(const Met& met, std::int32_t rear, int direction);
+    bool isCrowded(Needle needle, double rack) const;
     bool holdsLoop(bool front, std::int32_t index) const;
     void forgetFacing(Needle emptied);
     std::int32_t& stay(Strand strand);

@@ -6,7 +6,7 @@ namespace knittsim::fabric {
 
 namespace {
 
-constexpr double kFacing = 0.6;      ///< pitches: needles of both beds nearer than this face each other
+constexpr double kFacing = 0.2; ///< pitches: needles of both beds nearer than this face each other
 constexpr double kHalfPitch = 0.5;   ///< that they stand apart then
 constexpr double kNarrowHalf = 0.12; ///< half width of the loops then
 
@@ -18,6 +18,7 @@ std::vector<WalePlace> placesMade(const Fabric& fabric) {
     for (std::size_t i = 0; i < loops.size(); ++i) {
         const machine::Loop& loop = loops[i];
         places[i].centre = machine::positionPitches(loop.needle, loop.rack);
+        places[i].halfWidth = fabric.loops[i].crowded ? kNarrowHalf : places[i].halfWidth;
         const auto yarn = static_cast<std::size_t>(loop.yarn);
         lastOfYarn.resize(std::max(lastOfYarn.size(), yarn + 1), -1);
         const LoopIndex previous = lastOfYarn[yarn];
@@ -41,21 +42,20 @@ std::vector<WalePlace> placesMade(const Fabric& fabric) {
 
 } // namespace
 
-std::vector<WalePlace> walePlaces(const Fabric& fabric) {
-    const std::vector<WalePlace> made = placesMade(fabric);
-    std::vector<WalePlace> places(made.size());
+WalePlaces walePlaces(const Fabric& fabric) {
+    WalePlaces places{placesMade(fabric), std::vector<WalePlace>(fabric.loops.size())};
+    const std::vector<WalePlace>& made = places.made;
     for (std::size_t i = 0; i < made.size(); ++i) {
         const Loop& loop = fabric.loops[i];
-        places[i] = {machine::positionPitches(loop.bound, loop.boundRack), made[i].halfWidth};
-        if (loop.end != Loop::End::Bound && loop.bound == fabric.made.loops[i].needle) {
-            places[i].centre = made[i].centre;
-        }
+        const bool stays = loop.end != Loop::End::Bound && loop.bound == fabric.made.loops[i].needle;
+        places.bound[i] = {stays ? made[i].centre : machine::positionPitches(loop.bound, loop.boundRack),
+                           made[i].halfWidth};
     }
     for (std::size_t i = 0; i < made.size(); ++i) {
         for (const LoopIndex parent : fabric.made.parentsOf(static_cast<LoopIndex>(i))) {
             const auto p = static_cast<std::size_t>(parent);
             if (fabric.loops[p].bound == fabric.made.loops[i].needle) {
-                places[p] = made[i];
+                places.bound[p] = made[i];
             }
         }
     }

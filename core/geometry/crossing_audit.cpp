@@ -210,22 +210,41 @@ private:
         }
     }
 
+    /// The wanted crossings of a pair must be there in their order; what is left over waits.
     void comparePair(std::size_t f, std::size_t fEnd, std::size_t w, std::size_t wEnd) {
-        cancel(m_found, f, fEnd, m_left);
-        cancel(m_wanted, w, wEnd, m_asked);
+        m_left.clear();
+        for (std::size_t i = f; i < fEnd; ++i) {
+            m_left.push_back(&m_found[i]);
+        }
+        m_asked.clear();
+        for (std::size_t i = w; i < wEnd; ++i) {
+            cancelOrPush(m_wanted[i], m_asked);
+        }
         m_audit.expected += m_asked.size();
+        auto next = m_left.begin();
         for (const Event* wanted : m_asked) {
-            const auto match = std::ranges::find_if(m_left, [&](const Event* e) {
+            const auto match = std::find_if(next, m_left.end(), [&](const Event* e) {
                 return e->aOver == wanted->aOver && e->sign == wanted->sign;
             });
             if (match == m_left.end()) {
                 m_missing.push_back(wanted);
             } else {
                 ++m_audit.found;
-                m_left.erase(match);
+                next = m_left.erase(match);
             }
         }
         m_further.insert(m_further.end(), m_left.begin(), m_left.end());
+    }
+
+    /// A crossing cancels with the one before when the same strand is in front and the signs are opposite.
+    static void cancelOrPush(const Event& e, std::vector<const Event*>& left) {
+        const bool cancels = !left.empty() && left.back()->a == e.a && left.back()->b == e.b &&
+                             left.back()->aOver == e.aOver && left.back()->sign == -e.sign;
+        if (cancels) {
+            left.pop_back();
+        } else {
+            left.push_back(&e);
+        }
     }
 
     /// Where one piece of a yarn ends and the next begins is not sharp: a missing crossing may have been
@@ -257,7 +276,12 @@ private:
     }
 
     void judgeFurther() {
+        std::ranges::sort(m_further); // they lie in m_found, in the order of pieces and places
+        m_left.clear();
         for (const Event* e : m_further) {
+            cancelOrPush(*e, m_left);
+        }
+        for (const Event* e : m_left) {
             const int order = layerOrder(e->a, e->b);
             if (order == 0) {
                 m_audit.faults.push_back({CrossingFault::Kind::Unexplained, e->a, e->b, e->node});
@@ -265,20 +289,6 @@ private:
                 m_audit.faults.push_back({CrossingFault::Kind::WrongOrder, e->a, e->b, e->node});
             } else {
                 ++m_audit.layered;
-            }
-        }
-    }
-
-    /// Crossings with the same strand in front and opposite signs cancel.
-    static void cancel(const std::vector<Event>& events, std::size_t first, std::size_t end,
-                       std::vector<const Event*>& left) {
-        left.clear();
-        for (std::size_t i = first; i < end; ++i) {
-            const Event& e = events[i];
-            if (!left.empty() && left.back()->aOver == e.aOver && left.back()->sign == -e.sign) {
-                left.pop_back();
-            } else {
-                left.push_back(&e);
             }
         }
     }

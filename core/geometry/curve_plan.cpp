@@ -36,11 +36,12 @@ CurvePlan::CurvePlan(const fabric::Fabric& fabric, std::span<const double> diame
 Vec3f CurvePlan::placeOf(const FrameField& frames, const Anchor& anchor) {
     const std::size_t e = at(anchor.entry);
     const Vec3f& along = frames.along()[e];
+    const Vec3f place = frames.position()[e] + anchor.acrossMm * frames.across()[e];
     if (anchor.beside < 0) {
-        return frames.position()[e] - anchor.drop * frames.rise()[e] * along;
+        return place - anchor.drop * frames.rise()[e] * along;
     }
     const Vec3f way = frames.position()[at(anchor.beside)] - frames.position()[e];
-    return frames.position()[e] + (way.dot(along) - anchor.drop * frames.rise()[at(anchor.beside)]) * along;
+    return place + (way.dot(along) - anchor.drop * frames.rise()[at(anchor.beside)]) * along;
 }
 
 void CurvePlan::place(const FrameField& frames, std::vector<ControlValue>& controls) const {

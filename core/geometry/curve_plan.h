@@ -51,7 +51,8 @@ private:
     struct Anchor {
         fabric::EntryIndex entry = 0;
         float drop = 0;                 ///< in rises
-        fabric::EntryIndex beside = -1; ///< when given, as low as this entry and then up by `drop`
+        fabric::EntryIndex beside = -1; ///< when given, as low as this entry, and then down by `drop`
+        float acrossMm = 0;             ///< set off to the right
     };
     static Vec3f placeOf(const FrameField& frames, const Anchor& anchor);
 

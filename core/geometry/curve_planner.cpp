@@ -49,7 +49,7 @@ float sideSign(fabric::Side side) {
 
 CurvePlanner::CurvePlanner(const fabric::Fabric& fabric, std::span<const double> diameterMm, CurvePlan& plan)
     : m_fabric(fabric), m_diameterMm(diameterMm), m_plan(plan), m_depths(orderStrands(fabric, diameterMm)),
-      m_levels(fabric::passLevels(fabric)) {}
+      m_levels(fabric::passLevels(fabric)), m_wales(fabric::walePlaces(fabric).made) {}
 
 void CurvePlanner::run() {
     m_plan.m_pointOfControl.reserve(m_fabric.points.size() * 3);
@@ -115,6 +115,10 @@ CurvePlanner::Station CurvePlanner::baseOf(const Station& onLeg, PointIndex owne
     const float level = m_levels[static_cast<std::size_t>(onLeg.loop)];
     base.anchor.beside = footBeside(onLeg.loop, onLeg.incoming);
     base.anchor.drop = base.anchor.beside < 0 ? 1 - level : -level;
+    const fabric::WalePlace& wale = m_wales[static_cast<std::size_t>(onLeg.loop)];
+    const double x = (wale.centre + static_cast<double>(sideSign(base.side)) * wale.halfWidth) * m_fabric.pitchMm;
+    base.anchor.acrossMm = static_cast<float>(
+        x - m_fabric.machinePositions[static_cast<std::size_t>(base.anchor.entry)].x());
     base.lower *= 0.5F;
     base.upper = base.lower;
     return base;

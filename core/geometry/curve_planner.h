@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/fabric/wale_places.h"
 #include "core/geometry/curve_plan.h"
 
 namespace knittsim::geometry {
@@ -62,6 +63,7 @@ private:
     CurvePlan& m_plan;
     std::vector<StrandDepth> m_depths;
     std::vector<float> m_levels; ///< by loop, see passLevels()
+    std::vector<fabric::WalePlace> m_wales; ///< by loop, where the yarn was laid
     std::vector<Station> m_stations;
     fabric::PointIndex m_yarnFirst = 0; ///< of the yarn at hand
     fabric::PointIndex m_yarnEnd = 0;

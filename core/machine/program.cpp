@@ -13,6 +13,9 @@ std::optional<CarrierIndex> Program::findCarrier(const std::string& name) const 
     return static_cast<CarrierIndex>(found - header.carriers.begin());
 }
 
+/// Needles of both beds that face each other may be named in either order, pitches.
+constexpr double kFacing = 0.5;
+
 std::vector<Pass> findPasses(const Program& program) {
     std::vector<Pass> passes;
     double rack = 0;
@@ -36,7 +39,7 @@ std::vector<Pass> findPasses(const Program& program) {
         const double at = positionPitches(op.needle, rack);
         const bool joins = open && passes.back().direction == op.direction &&
                            passes.back().carriers == op.carriers && op.needle != lastNeedle &&
-                           (at - last) * sign(op.direction) >= 0;
+                           (at - last) * sign(op.direction) >= -kFacing;
         if (!joins) {
             passes.push_back({static_cast<OperationIndex>(i), 0, op.direction, op.carriers});
             open = true;
