@@ -6,17 +6,36 @@ namespace knittsim::fabric {
 
 namespace {
 
+/// By loop: the loop below it on the needle when the next loop came through both, -1 for none. A tuck lies on
+/// it.
+std::vector<machine::LoopIndex> loopsBelow(const machine::LoopTable& table) {
+    std::vector<machine::LoopIndex> below(table.loops.size(), -1);
+    for (std::size_t i = 0; i < table.loops.size(); ++i) {
+        machine::LoopIndex last = -1;
+        for (const machine::LoopIndex parent : table.parentsOf(static_cast<machine::LoopIndex>(i))) {
+            below[static_cast<std::size_t>(parent)] = last < parent ? last : -1;
+            last = parent;
+        }
+    }
+    return below;
+}
+
 /// Looks at the loops of one pass; loops of earlier passes have their course already.
 class PassCourse {
 public:
     void knit(std::int32_t below) { m_knit = below < 0 ? m_knit : std::max(m_knit, below + 1); }
+    void tuck(std::int32_t below) { m_tuck = below < 0 ? m_tuck : std::max(m_tuck, below + 1); }
     void continues(std::int32_t course) { m_before = std::max(m_before, course); }
 
-    /// A pass that draws nothing through (cast-on, tucks only) lies in the course of its yarn's last pass.
-    std::int32_t course() const { return m_knit >= 0 ? m_knit : std::max(m_before, 0); }
+    /// A pass of tucks lies in the course above the loops that it lies on; one on empty needles in the course
+    /// of its yarn's last pass.
+    std::int32_t course() const {
+        return m_knit >= 0 ? m_knit : m_tuck >= 0 ? m_tuck : std::max(m_before, 0);
+    }
 
 private:
     std::int32_t m_knit = -1;
+    std::int32_t m_tuck = -1;
     std::int32_t m_before = -1;
 };
 
@@ -51,6 +70,7 @@ CourseNumbers numberCourses(const machine::Timeline& timeline) {
 
     const machine::LoopTable& table = timeline.loops();
     std::vector<std::int32_t> lastCourseOfYarn(static_cast<std::size_t>(timeline.finalState().yarnCount), -1);
+    const std::vector<machine::LoopIndex> below = loopsBelow(table);
     std::size_t i = 0;
     while (i < table.loops.size()) {
         const std::int32_t passIndex =
@@ -64,6 +84,10 @@ CourseNumbers numberCourses(const machine::Timeline& timeline) {
             }
             pass.continues(lastCourseOfYarn[static_cast<std::size_t>(loop.yarn)]);
             pass.knit(courseBelow(numbers, table, static_cast<machine::LoopIndex>(i), first));
+            if (const auto lower = below[i]; lower >= 0 && static_cast<std::size_t>(lower) < first &&
+                                             loop.kind == machine::OperationKind::Tuck) {
+                pass.tuck(numbers.courseOf(table.loops[static_cast<std::size_t>(lower)].operation));
+            }
         }
         numbers.courseOfPass[static_cast<std::size_t>(passIndex)] = pass.course();
         for (std::size_t made = first; made < i; ++made) {

@@ -69,6 +69,7 @@ struct Crossing {
     OperationIndex operation = -1; ///< rack or stitch that made it
     /// +1 when the over strand goes from left to right of the under strand with time, else -1.
     std::int8_t sign = 1;
+    float place = 0; ///< along the bed where a float met the other strand, needle pitches
 };
 
 /// A loop in the fabric. Points are -1 where a loop has none (no feet: it was hung on an empty needle).

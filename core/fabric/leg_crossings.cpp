@@ -1,5 +1,6 @@
 #include "core/fabric/leg_crossings.h"
 
+#include <algorithm>
 #include <array>
 
 namespace knittsim::fabric {
@@ -14,6 +15,11 @@ std::span<const Piece> fromLeft(Strand::Kind kind) {
         return kLoop;
     }
     return kFloat;
+}
+
+/// Of a leg from the middle of its needle, pitches.
+float offset(Piece piece) {
+    return piece == Piece::Float ? 0 : piece == Piece::LeftLeg ? -0.25F : 0.25F;
 }
 
 } // namespace
@@ -46,6 +52,24 @@ LegCrossings::LegCrossings(const StrandTracker& tracker, std::size_t loopCount)
                 static_cast<std::int32_t>(c);
         }
     }
+    orderFloats();
+}
+
+/// A float meets the legs of loops that face each other in the order in which they stand along the bed.
+void LegCrossings::orderFloats() {
+    for (std::size_t piece = 0; piece + 1 < m_first.size(); ++piece) {
+        if (static_cast<Piece>(piece % 3) != Piece::Float) {
+            continue;
+        }
+        const auto along = [&](std::int32_t c) {
+            const Crossing& crossing = m_crossings[static_cast<std::size_t>(c)];
+            const bool over = crossing.over == static_cast<std::int32_t>(piece);
+            const bool rightward = (crossing.sign > 0) == over;
+            return std::pair(crossing.operation, rightward ? crossing.place : -crossing.place);
+        };
+        std::stable_sort(m_onPiece.begin() + m_first[piece], m_onPiece.begin() + m_first[piece + 1],
+                         [&](std::int32_t a, std::int32_t b) { return along(a) < along(b); });
+    }
 }
 
 void LegCrossings::add(const Passing& passing, LoopIndex over, LoopIndex under) {
@@ -57,7 +81,9 @@ void LegCrossings::add(const Passing& passing, LoopIndex over, LoopIndex under) 
         for (std::size_t k = 0; k < unders.size(); ++k) {
             const Piece a = passing.sign > 0 ? overs[overs.size() - 1 - i] : overs[i];
             const Piece b = passing.sign > 0 ? unders[k] : unders[unders.size() - 1 - k];
-            m_crossings.push_back({number(over, a), number(under, b), passing.operation, passing.sign});
+            const float aside = offset(a) + offset(b);
+            m_crossings.push_back({number(over, a), number(under, b), passing.operation, passing.sign,
+                                   passing.place + aside});
         }
     }
 }

@@ -17,6 +17,7 @@ public:
         std::int32_t under = 0;
         OperationIndex operation = 0;
         std::int8_t sign = 1;
+        float place = 0; ///< along the bed where a float meets the other strand, pitches
     };
 
     LegCrossings(const StrandTracker& tracker, std::size_t loopCount);
@@ -35,6 +36,7 @@ public:
 
 private:
     void add(const Passing& passing, LoopIndex over, LoopIndex under);
+    void orderFloats();
 
     std::vector<Crossing> m_crossings;
     std::vector<std::int32_t> m_first; ///< by piece

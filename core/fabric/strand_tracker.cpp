@@ -22,6 +22,8 @@ int signOf(double value) {
     return (value > 0) - (value < 0);
 }
 
+constexpr double kBeside = 0.45; ///< pitches
+
 constexpr std::array kFrontBeds{Bed::Front, Bed::FrontSlider};
 constexpr std::array kRearBeds{Bed::Rear, Bed::RearSlider};
 
@@ -47,15 +49,15 @@ void StrandTracker::countOpen(const Passing& passing, int change) {
     }
 }
 
-void StrandTracker::pass(Strand over, Strand under, int sign) {
-    const auto [place, isNew] = m_last.try_emplace(pairCode(over, under), -1);
-    if (place->second >= 0) {
-        Passing& last = m_passings[static_cast<std::size_t>(place->second)];
+void StrandTracker::pass(Strand over, Strand under, int sign, double place) {
+    const auto [latest, isNew] = m_last.try_emplace(pairCode(over, under), -1);
+    if (latest->second >= 0) {
+        Passing& last = m_passings[static_cast<std::size_t>(latest->second)];
         if (last.over == over && last.sign == -sign && last.overStay == stay(over) &&
             last.underStay == stay(under)) {
             last.undone = true;
             countOpen(last, -1);
-            place->second = last.previous;
+            latest->second = last.previous;
             return;
         }
     }
@@ -63,11 +65,12 @@ void StrandTracker::pass(Strand over, Strand under, int sign) {
                           .under = under,
                           .operation = operation(),
                           .sign = static_cast<std::int8_t>(sign),
-                          .previous = place->second,
+                          .place = static_cast<float>(place),
+                          .previous = latest->second,
                           .overStay = stay(over),
                           .underStay = stay(under)});
     countOpen(m_passings.back(), +1);
-    place->second = static_cast<std::int32_t>(m_passings.size()) - 1;
+    latest->second = static_cast<std::int32_t>(m_passings.size()) - 1;
 }
 
 void StrandTracker::yarnMoved(CarrierIndex carrier, const machine::CarrierPlace* from,
@@ -131,14 +134,19 @@ void StrandTracker::sortMet(int direction) {
     });
 }
 
+/// A yarn stands beside its needle.
+double StrandTracker::placeOf(const Met& met) {
+    return met.key.x + kBeside * met.key.side;
+}
+
 void StrandTracker::passFloat(CarrierIndex moving, const Met& met, int direction) {
     const Strand self{Strand::Kind::Float, m_yarns[moving].number};
     const bool selfInFront =
         met.layer < 0 || (met.layer == 0 && m_program.header.carriers[moving].rail <= met.rail);
     if (selfInFront) {
-        pass(self, met.strand, direction);
+        pass(self, met.strand, direction, placeOf(met));
     } else {
-        pass(met.strand, self, -direction);
+        pass(met.strand, self, -direction, placeOf(met));
     }
 }
 
@@ -272,7 +280,7 @@ void StrandTracker::rackNeedle(std::int32_t rear, double from, double to) {
 void StrandTracker::passRear(const Met& met, std::int32_t rear, int direction) {
     for (const Bed bed : kRearBeds) {
         for (const LoopIndex loop : m_emulator.state().loopsOn({bed, rear})) {
-            pass(met.strand, {Strand::Kind::Loop, loop}, -direction);
+            pass(met.strand, {Strand::Kind::Loop, loop}, -direction, placeOf(met));
         }
     }
 }

@@ -25,6 +25,7 @@ struct Passing {
     OperationIndex operation = 0;
     std::int8_t sign = 1; ///< +1: over went from left to right of under
     bool undone = false;
+    float place = 0;            ///< along the bed, pitches
     std::int32_t previous = -1; ///< the passing of the same two strands before this one
     std::int32_t overStay = 0;  ///< see StrandTracker::m_stay
     std::int32_t underStay = 0;
@@ -101,7 +102,8 @@ private:
     void collectLoops(machine::Bed bed, const Key& low, const Key& high, double rack);
     void collectYarns(const Key& low, const Key& high, const machine::CarrierSet& except);
     void sortMet(int direction);
-    void pass(Strand over, Strand under, int sign);
+    void pass(Strand over, Strand under, int sign, double place);
+    static double placeOf(const Met& met);
     void passFloat(CarrierIndex moving, const Met& met, int direction);
     void rackNeedle(std::int32_t rear, double from, double to);
     void passRear(const Met& met, std::int32_t rear, int direction);

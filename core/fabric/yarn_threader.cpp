@@ -19,6 +19,7 @@ public:
         for (std::size_t i = 0; i < crossings.all().size(); ++i) {
             fabric.crossings[i].operation = crossings.all()[i].operation;
             fabric.crossings[i].sign = crossings.all()[i].sign;
+            fabric.crossings[i].place = crossings.all()[i].place;
         }
         m_rowOfCrossing.assign(crossings.all().size(), -1);
     }

@@ -150,6 +150,13 @@ bool CurvePlanner::isFarAcross(const Station& a, const Station& b) const {
     return std::abs(from.x() - to.x()) > kFarPitches * m_fabric.pitchMm;
 }
 
+/// The yarn runs up along the fabric rather than across.
+bool CurvePlanner::isSteep(const Station& a, const Station& b) const {
+    const Vec3& from = m_fabric.machinePositions[static_cast<std::size_t>(a.anchor.entry)];
+    const Vec3& to = m_fabric.machinePositions[static_cast<std::size_t>(b.anchor.entry)];
+    return std::abs(from.y() - to.y()) > std::abs(from.x() - to.x());
+}
+
 /// The yarn goes round the selvedge to the next course.
 bool CurvePlanner::isTurn(const Station& a, const Station& b) const {
     return a.side == b.side && loop(a.loop).course != loop(b.loop).course;
@@ -286,21 +293,26 @@ void CurvePlanner::addSinker(const Station& a, const Station& b) {
 }
 
 void CurvePlanner::addTurn(const Station& a, const Station& b) {
-    const auto add = [&](const Station& near, float across, float down) {
-        m_plan.m_reaches.push_back({.control = newControl(a, near),
-                                    .near = near.anchor,
-                                    .far = near.anchor,
-                                    .dipMm = down * m_diameter,
-                                    .across = sideSign(near.side) * across * m_diameter,
-                                    .out = kDepthGain * near.lower});
-    };
-    add(a, kTurnOut, kTurnDown);
-    add(b, kTurnBackOut, kTurnBackDown);
+    addTurnControl(a, a, kTurnOut, kTurnDown);
+    addTurnControl(b, a, kTurnBackOut, kTurnBackDown);
+}
+
+void CurvePlanner::addTurnControl(const Station& near, const Station& owner, float across, float down) {
+    m_plan.m_reaches.push_back({.control = newControl(owner, near),
+                                .near = near.anchor,
+                                .far = near.anchor,
+                                .dipMm = down * m_diameter,
+                                .across = sideSign(near.side) * across * m_diameter,
+                                .out = kDepthGain * near.lower});
 }
 
 void CurvePlanner::addFloat(const Station& a, const Station& b) {
     if (!a.isCrossing()) {
-        addReach(a, b, a, a.lower);
+        if (isSteep(a, b)) {
+            addTurnControl(a, a, kTurnOut, kTurnDown);
+        } else {
+            addReach(a, b, a, a.lower);
+        }
     }
     if (isFarAcross(a, b)) {
         m_plan.m_arcs.push_back({.control = newControl(a, b),
@@ -313,7 +325,11 @@ void CurvePlanner::addFloat(const Station& a, const Station& b) {
                                  .out = 0.5F * (a.lower + b.lower)});
     }
     if (!b.isCrossing()) {
-        addReach(b, a, a, b.lower);
+        if (isSteep(a, b)) {
+            addTurnControl(b, a, kTurnBackOut, kTurnBackDown);
+        } else {
+            addReach(b, a, a, b.lower);
+        }
     }
 }
 

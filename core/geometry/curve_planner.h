@@ -41,6 +41,7 @@ private:
     }
     const fabric::Loop& loop(machine::LoopIndex l) const { return m_fabric.loops[static_cast<std::size_t>(l)]; }
     bool isFarAcross(const Station& a, const Station& b) const;
+    bool isSteep(const Station& a, const Station& b) const;
     bool isTurn(const Station& a, const Station& b) const;
     float stored(const Station& a) const { return static_cast<float>(m_fabric.lengths[static_cast<std::size_t>(a.point)]); }
 
@@ -55,6 +56,7 @@ private:
     void addLeg(const Station& a, const Station& b);
     void addSinker(const Station& a, const Station& b);
     void addTurn(const Station& a, const Station& b);
+    void addTurnControl(const Station& near, const Station& owner, float across, float down);
     void addFloat(const Station& a, const Station& b);
     void addReach(const Station& near, const Station& far, const Station& owner, float out);
 

@@ -1,0 +1,143 @@
+#include "core/fabric/crossing_places.h"
+
+#include "core/fabric/pass_levels.h"
+
+#include <algorithm>
+
+namespace knittsim::fabric {
+
+namespace {
+
+/// Puts the crossings where their two strands can meet.
+class Placer {
+public:
+    Placer(Fabric& fabric, double height, const std::vector<WalePlace>& wales)
+        : m_fabric(fabric), m_height(height), m_wales(wales), m_level(passLevels(fabric)) {}
+
+    void run() {
+        m_wish.assign(m_fabric.points.size(), Vec3::Zero());
+        wishAll();
+        for (const Crossing& crossing : m_fabric.crossings) {
+            if (crossing.over >= 0 && crossing.under >= 0) {
+                place(crossing.over) = meet(crossing.over, crossing.under);
+            }
+        }
+    }
+
+private:
+    /// Between the wishes of the two strands; a float meets a leg where the leg is.
+    Vec3 meet(PointIndex a, PointIndex b) const {
+        const Vec3& wishA = m_wish[static_cast<std::size_t>(a)];
+        const Vec3& wishB = m_wish[static_cast<std::size_t>(b)];
+        Vec3 place = 0.5 * (wishA + wishB);
+        const bool floatA = point(a).piece == Piece::Float;
+        if (floatA != (point(b).piece == Piece::Float)) {
+            const Vec3& onFloat = floatA ? wishA : wishB;
+            place.x() = floatA ? wishB.x() : wishA.x();
+            place.y() = std::clamp(place.y(), onFloat.y() - 0.5 * m_height, onFloat.y() + 0.5 * m_height);
+        }
+        return place;
+    }
+
+    /// Where each strand would have its crossings.
+    void wishAll() {
+        for (const Yarn& yarn : m_fabric.yarns) {
+            m_previous = -1;
+            const PointIndex end = yarn.first + yarn.count;
+            for (PointIndex p = yarn.first; p < end;) {
+                if (point(p).role != Role::Crossing) {
+                    m_previous = point(p).loop;
+                    ++p;
+                    continue;
+                }
+                PointIndex last = p;
+                while (last < end && point(last).role == Role::Crossing && point(last).piece == point(p).piece &&
+                       point(last).loop == point(p).loop) {
+                    ++last;
+                }
+                wishRun(p, last);
+                p = last;
+            }
+        }
+    }
+
+    const BondingPoint& point(PointIndex p) const { return m_fabric.points[static_cast<std::size_t>(p)]; }
+    Vec3& place(PointIndex p) { return m_fabric.machinePositions[static_cast<std::size_t>(point(p).entry)]; }
+    const Loop& loop(LoopIndex index) const { return m_fabric.loops[static_cast<std::size_t>(index)]; }
+
+    void wishRun(PointIndex first, PointIndex last) {
+        const LoopIndex own = point(first).loop;
+        const bool rightward =
+            m_fabric.made.loops[static_cast<std::size_t>(own)].direction == Direction::Right;
+        const Side in = rightward ? Side::Left : Side::Right;
+        Vec3 from = foot(own, in);
+        Vec3 to = from;
+        if (point(first).piece == Piece::Float) {
+            if (m_previous >= 0 && m_previous != own) {
+                from = foot(m_previous, outOf(m_previous));
+            }
+            for (PointIndex p = first; p < last; ++p) {
+                wishOnFloat(p, from.y(), to.y());
+            }
+        } else {
+            const Side side = point(first).piece == Piece::LeftLeg ? Side::Left : Side::Right;
+            from = foot(own, side);
+            to = place(side == Side::Left ? loop(own).headLeft : loop(own).headRight);
+            if (side != in) {
+                std::swap(from, to);
+            }
+            for (PointIndex p = first; p < last; ++p) {
+                const double t = static_cast<double>(p - first + 1) / static_cast<double>(last - first + 1);
+                m_wish[static_cast<std::size_t>(p)] = (1 - t) * from + t * to;
+            }
+        }
+    }
+
+    /// Where the machine was, in the course that was made then, between the ends of the float.
+    void wishOnFloat(PointIndex p, double fromY, double toY) {
+        const Crossing& crossing = m_fabric.crossings[static_cast<std::size_t>(point(p).crossing)];
+        const auto& loops = m_fabric.made.loops;
+        const auto after = std::ranges::upper_bound(loops, crossing.operation, {}, &machine::Loop::operation);
+        const auto latest = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, after - loops.begin())) - 1;
+        const double level = m_fabric.loops[latest].course + static_cast<double>(m_level[latest]);
+        m_wish[static_cast<std::size_t>(p)] = {
+            static_cast<double>(crossing.place) * m_fabric.pitchMm,
+            std::clamp(level * m_height, std::min(fromY, toY), std::max(fromY, toY)), 0};
+    }
+
+    Side outOf(LoopIndex index) const {
+        return m_fabric.made.loops[static_cast<std::size_t>(index)].direction == Direction::Right ? Side::Right
+                                                                                                  : Side::Left;
+    }
+
+    /// Where a leg begins: at its foot, or as far below its head as a foot would be. Of the yarns of one
+    /// course that have no feet, those that came later lie higher.
+    Vec3 foot(LoopIndex index, Side side) {
+        const Loop& l = loop(index);
+        const PointIndex p = side == Side::Left ? l.footLeft : l.footRight;
+        if (p >= 0) {
+            return place(p);
+        }
+        Vec3 below = place(side == Side::Left ? l.headLeft : l.headRight);
+        const double level = l.course + static_cast<double>(m_level[static_cast<std::size_t>(index)]);
+        const WalePlace& wale = m_wales[static_cast<std::size_t>(index)];
+        below.x() = (wale.centre + (side == Side::Left ? -1 : 1) * wale.halfWidth) * m_fabric.pitchMm;
+        below.y() = std::min(level * m_height, below.y() - 0.5 * m_height);
+        return below;
+    }
+
+    Fabric& m_fabric;
+    double m_height;
+    const std::vector<WalePlace>& m_wales; ///< by loop, where the yarn was laid
+    std::vector<Vec3> m_wish;              ///< by point
+    std::vector<float> m_level;
+    LoopIndex m_previous = -1; ///< loop of the last corner
+};
+
+} // namespace
+
+void placeCrossings(Fabric& fabric, double height, const std::vector<WalePlace>& wales) {
+    Placer(fabric, height, wales).run();
+}
+
+} // namespace knittsim::fabric
