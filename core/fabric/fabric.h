@@ -100,7 +100,8 @@ struct Fabric {
     std::int32_t entryCount = 0;        ///< rows of the bonding point table
     std::vector<Vec3> machinePositions; ///< by entry: where the machine leaves it, mm (needle pitch, bed gap)
     std::int32_t courseCount = 0;
-    double pitchMm = 0; ///< needle pitch of the machine
+    double pitchMm = 0;  ///< needle pitch of the machine
+    double courseMm = 0; ///< height of a course in machinePositions
 
     std::size_t pointCount() const { return points.size(); }
 

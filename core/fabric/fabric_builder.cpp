@@ -33,7 +33,11 @@ void markHeld(const machine::MachineState& end, std::vector<Loop>& loops) {
     for (const machine::NeedleRow& row : end.beds) {
         for (std::int32_t needle = row.first(); needle < row.end(); ++needle) {
             for (const LoopIndex loop : row.at(needle)) {
-                loops[static_cast<std::size_t>(loop)].onNeedle = true;
+                Loop& held = loops[static_cast<std::size_t>(loop)];
+                held.onNeedle = true;
+                if (held.end == Loop::End::Held) {
+                    held.boundRack = end.rack;
+                }
             }
         }
     }

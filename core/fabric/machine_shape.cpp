@@ -60,6 +60,7 @@ void placeHeads(Fabric& fabric, const machine::MachineProfile& profile, double h
 void layOutOnMachine(Fabric& fabric, const machine::MachineProfile& profile) {
     fabric.machinePositions.assign(static_cast<std::size_t>(fabric.entryCount), Vec3::Zero());
     const double height = courseHeight(fabric);
+    fabric.courseMm = height;
     const WalePlaces wales = walePlaces(fabric);
     placeHeads(fabric, profile, height, wales.bound);
     placeCrossings(fabric, height, wales.made);

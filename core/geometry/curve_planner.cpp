@@ -19,6 +19,7 @@ constexpr float kClaspHalfHeight = 0.28F; ///< from a bonding point to its lower
 constexpr float kClaspHalfWidth = 0.26F;  ///< new loop inside, old loop outside
 constexpr float kDepthGain = 1.4F;        ///< makes up for what the spline cuts off between opposite depths
 constexpr float kCrossingGain = 1.5F;
+constexpr float kShortestLeg = 0.5F; ///< courses
 constexpr float kTailAcross = 0.55F;
 constexpr float kTailDown = 1.0F;
 constexpr float kReach = 1.6F;
@@ -27,6 +28,8 @@ constexpr float kTurnOut = 0.9F;
 constexpr float kTurnDown = 0.8F;
 constexpr float kTurnBackOut = 1.5F; ///< round the leg that the yarn is drawn through next
 constexpr float kTurnBackDown = 0.8F;
+constexpr float kWaitOut = 0.3F; ///< for every course more
+constexpr float kWaitMost = 3;
 constexpr float kFloatDip = 0.5F;
 
 // Slack yarn: how far an arc stands out, as a share of the root of length^2 - chord^2, and its limit in
@@ -39,6 +42,8 @@ constexpr float kFloatGain = 0.25F;
 constexpr float kFloatMost = 0.4F;
 constexpr float kArcLeast = 0.35F;      ///< diameters
 
+constexpr double kSteepCourses = 0.75; ///< a float that rises by more runs up the selvedge
+constexpr double kBesideEdge = 0.1;    ///< pitches
 constexpr double kFarPitches = 1.2; ///< corners farther apart across are joined by a float or a long leg
 
 float sideSign(fabric::Side side) {
@@ -115,12 +120,16 @@ CurvePlanner::Station CurvePlanner::baseOf(const Station& onLeg, PointIndex owne
     const float level = m_levels[static_cast<std::size_t>(onLeg.loop)];
     base.anchor.beside = footBeside(onLeg.loop, onLeg.incoming);
     base.anchor.drop = base.anchor.beside < 0 ? 1 - level : -level;
+    if (base.anchor.beside >= 0 && placeOf(base).y() - placeOf(base.anchor.beside).y() <
+                                       static_cast<double>(level + kShortestLeg) * m_fabric.courseMm) {
+        base.anchor.beside = -1;
+        base.anchor.drop = kShortestLeg;
+    }
     const fabric::WalePlace& wale = m_wales[static_cast<std::size_t>(onLeg.loop)];
     const double x = (wale.centre + static_cast<double>(sideSign(base.side)) * wale.halfWidth) * m_fabric.pitchMm;
     base.anchor.acrossMm = static_cast<float>(
-        x - m_fabric.machinePositions[static_cast<std::size_t>(base.anchor.entry)].x());
-    base.lower *= 0.5F;
-    base.upper = base.lower;
+        x - placeOf(base).x());
+    base.lower = base.upper = -0.5F * static_cast<float>(pullSign(m_fabric, onLeg.loop)) * m_diameter;
     return base;
 }
 
@@ -145,16 +154,16 @@ void CurvePlanner::collectStations(const fabric::Yarn& yarn) {
 }
 
 bool CurvePlanner::isFarAcross(const Station& a, const Station& b) const {
-    const Vec3& from = m_fabric.machinePositions[static_cast<std::size_t>(a.anchor.entry)];
-    const Vec3& to = m_fabric.machinePositions[static_cast<std::size_t>(b.anchor.entry)];
+    const Vec3& from = placeOf(a);
+    const Vec3& to = placeOf(b);
     return std::abs(from.x() - to.x()) > kFarPitches * m_fabric.pitchMm;
 }
 
 /// The yarn runs up along the fabric rather than across.
 bool CurvePlanner::isSteep(const Station& a, const Station& b) const {
-    const Vec3& from = m_fabric.machinePositions[static_cast<std::size_t>(a.anchor.entry)];
-    const Vec3& to = m_fabric.machinePositions[static_cast<std::size_t>(b.anchor.entry)];
-    return std::abs(from.y() - to.y()) > std::abs(from.x() - to.x());
+    const Vec3& from = placeOf(a);
+    const Vec3& to = placeOf(b);
+    return std::abs(from.y() - to.y()) > std::max(std::abs(from.x() - to.x()), kSteepCourses * m_fabric.courseMm);
 }
 
 /// The yarn goes round the selvedge to the next course.
@@ -293,8 +302,11 @@ void CurvePlanner::addSinker(const Station& a, const Station& b) {
 }
 
 void CurvePlanner::addTurn(const Station& a, const Station& b) {
-    addTurnControl(a, a, kTurnOut, kTurnDown);
-    addTurnControl(b, a, kTurnBackOut, kTurnBackDown);
+    // A yarn that waits for some courses runs outside of those that turn meanwhile.
+    const int courses = std::abs(loop(a.loop).course - loop(b.loop).course);
+    const float wait = std::min(kWaitMost, kWaitOut * static_cast<float>(courses - 1));
+    addTurnControl(a, a, kTurnOut + wait, kTurnDown);
+    addTurnControl(b, a, kTurnBackOut + wait, kTurnBackDown);
 }
 
 void CurvePlanner::addTurnControl(const Station& near, const Station& owner, float across, float down) {
@@ -307,12 +319,20 @@ void CurvePlanner::addTurnControl(const Station& near, const Station& owner, flo
 }
 
 void CurvePlanner::addFloat(const Station& a, const Station& b) {
-    if (!a.isCrossing()) {
-        if (isSteep(a, b)) {
-            addTurnControl(a, a, kTurnOut, kTurnDown);
-        } else {
-            addReach(a, b, a, a.lower);
+    const bool steep = isSteep(a, b);
+    if (steep && !a.isCrossing()) {
+        // Up beside the fabric, outside of the yarns that turn there, and then in.
+        addTurnControl(a, a, kTurnOut, kTurnDown);
+        const double outward = static_cast<double>(sideSign(a.side)) * (placeOf(b).x() - placeOf(a).x());
+        if (outward < kBesideEdge * m_fabric.pitchMm) {
+            Station below = b;
+            below.side = a.side;
+            addTurnControl(below, a, kTurnBackOut, kTurnBackDown);
         }
+        return;
+    }
+    if (!a.isCrossing()) {
+        addReach(a, b, a, a.lower);
     }
     if (isFarAcross(a, b)) {
         m_plan.m_arcs.push_back({.control = newControl(a, b),
@@ -324,12 +344,10 @@ void CurvePlanner::addFloat(const Station& a, const Station& b) {
                                  .alongSide = -1,
                                  .out = 0.5F * (a.lower + b.lower)});
     }
-    if (!b.isCrossing()) {
-        if (isSteep(a, b)) {
-            addTurnControl(b, a, kTurnBackOut, kTurnBackDown);
-        } else {
-            addReach(b, a, a, b.lower);
-        }
+    if (steep && !b.isCrossing()) {
+        addTurnControl(b, a, kTurnOut, kTurnDown);
+    } else if (!b.isCrossing()) {
+        addReach(b, a, a, b.lower);
     }
 }
 

@@ -40,6 +40,10 @@ private:
         return m_fabric.points[static_cast<std::size_t>(p)];
     }
     const fabric::Loop& loop(machine::LoopIndex l) const { return m_fabric.loops[static_cast<std::size_t>(l)]; }
+    const Vec3& placeOf(fabric::EntryIndex entry) const {
+        return m_fabric.machinePositions[static_cast<std::size_t>(entry)];
+    }
+    const Vec3& placeOf(const Station& station) const { return placeOf(station.anchor.entry); }
     bool isFarAcross(const Station& a, const Station& b) const;
     bool isSteep(const Station& a, const Station& b) const;
     bool isTurn(const Station& a, const Station& b) const;
