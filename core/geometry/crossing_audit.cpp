@@ -27,6 +27,7 @@ struct Event {
     PointIndex over = -1;  ///< bonding points that the strands are nearest to
     PointIndex under = -1;
     std::int32_t node = -1;
+    std::size_t index = 0; ///< of the projected crossing
 };
 
 class Auditor {
@@ -43,8 +44,9 @@ public:
     CrossingAudit run(const std::vector<ProjectedCrossing>& crossings) {
         expectLoops();
         expectCrossings();
-        for (const ProjectedCrossing& crossing : crossings) {
-            addFound(crossing);
+        m_audit.order.assign(crossings.size(), 1);
+        for (std::size_t i = 0; i < crossings.size(); ++i) {
+            addFound(crossings[i], i);
         }
         const auto order = [](const Event& x, const Event& y) {
             return std::tie(x.a, x.b, x.place) < std::tie(y.a, y.b, y.place);
@@ -106,7 +108,7 @@ private:
         return point(p).piece == Piece::Float && point(p).role == Role::Crossing ? timeSense(piece) : 1;
     }
 
-    void addFound(const ProjectedCrossing& crossing) {
+    void addFound(const ProjectedCrossing& crossing, std::size_t index) {
         const PointIndex overPoint = pointAt(crossing.over);
         const PointIndex underPoint = pointAt(crossing.under);
         const CurvePiece over = pieceOf(overPoint);
@@ -120,9 +122,9 @@ private:
         const float onUnder = static_cast<float>(timeSense(under)) *
                               (static_cast<float>(crossing.under) + crossing.underShare);
         if (over < under) {
-            m_found.push_back({over, under, true, sign, onOver, overPoint, underPoint, crossing.over});
+            m_found.push_back({over, under, true, sign, onOver, overPoint, underPoint, crossing.over, index});
         } else {
-            m_found.push_back({under, over, false, sign, onUnder, overPoint, underPoint, crossing.under});
+            m_found.push_back({under, over, false, sign, onUnder, overPoint, underPoint, crossing.under, index});
         }
     }
 
@@ -131,7 +133,7 @@ private:
     void want(PointIndex over, PointIndex under, int sign, float place) {
         const CurvePiece a = pieceOf(over);
         const CurvePiece b = pieceOf(under);
-        m_wanted.push_back({std::min(a, b), std::max(a, b), a < b, sign, place, over, under, -1});
+        m_wanted.push_back({std::min(a, b), std::max(a, b), a < b, sign, place, over, under, -1, 0});
     }
 
     /// A loop passes behind the legs of the loops that it is drawn through and over their heads, or the other
@@ -252,28 +254,35 @@ private:
     void matchBeside() {
         std::ranges::sort(m_further, {}, [](const Event* e) { return e->over; });
         for (const Event* wanted : m_missing) {
-            const auto isIt = [&](const Event* e) {
-                return e != nullptr && std::abs(e->over - wanted->over) <= 1 &&
-                       std::abs(e->under - wanted->under) <= 1 && signedBy(*e, *wanted);
-            };
-            auto from = std::ranges::lower_bound(m_further, wanted->over - 1, {}, [](const Event* e) { return e->over; });
-            while (from != m_further.end() && (*from)->over <= wanted->over + 1 && !isIt(*from)) {
-                ++from;
-            }
-            if (from != m_further.end() && (*from)->over <= wanted->over + 1) {
+            const auto match = findFurther(wanted->over, wanted->under, yarnSign(*wanted));
+            if (match != m_further.end()) {
                 ++m_audit.found;
-                m_further.erase(from);
-            } else {
-                m_audit.faults.push_back({CrossingFault::Kind::Missing, wanted->a, wanted->b, wanted->node});
+                m_further.erase(match);
+                continue;
+            }
+            m_audit.faults.push_back({CrossingFault::Kind::Missing, wanted->a, wanted->b, wanted->node});
+            const auto swapped = findFurther(wanted->under, wanted->over, -yarnSign(*wanted));
+            if (swapped != m_further.end()) {
+                m_audit.order[(*swapped)->index] = -1;
+                m_further.erase(swapped);
             }
         }
     }
 
-    /// The same sign, time counted on both strands as on the wanted pieces.
-    bool signedBy(const Event& found, const Event& wanted) const {
-        return found.sign * timeSense(found.a) * timeSense(found.b) ==
-               wanted.sign * timeSense(wanted.a) * timeSense(wanted.b);
+    /// A crossing near these bonding points that no other explains.
+    std::vector<const Event*>::iterator findFurther(PointIndex over, PointIndex under, int sign) {
+        const auto place = [](const Event* e) { return e->over; };
+        auto it = std::ranges::lower_bound(m_further, over - 1, {}, place);
+        for (; it != m_further.end() && (*it)->over <= over + 1; ++it) {
+            if (std::abs((*it)->under - under) <= 1 && yarnSign(**it) == sign) {
+                return it;
+            }
+        }
+        return m_further.end();
     }
+
+    /// The sign with both strands along their yarns.
+    int yarnSign(const Event& e) const { return e.sign * timeSense(e.a) * timeSense(e.b); }
 
     void judgeFurther() {
         std::ranges::sort(m_further); // they lie in m_found, in the order of pieces and places
@@ -285,8 +294,10 @@ private:
             const int order = layerOrder(e->a, e->b);
             if (order == 0) {
                 m_audit.faults.push_back({CrossingFault::Kind::Unexplained, e->a, e->b, e->node});
+                m_audit.order[e->index] = 0;
             } else if ((order > 0) != e->aOver) {
                 m_audit.faults.push_back({CrossingFault::Kind::WrongOrder, e->a, e->b, e->node});
+                m_audit.order[e->index] = -1;
             } else {
                 ++m_audit.layered;
             }

@@ -32,6 +32,8 @@ struct CrossingAudit {
     std::size_t found = 0;    ///< of these, with the right sign and the right strand in front
     std::size_t layered = 0;  ///< further ones: layers that lie over each other, in the right order
     std::vector<CrossingFault> faults;
+    /// By projected crossing: +1 the right strand is in front, -1 the other one has to be, 0 not known.
+    std::vector<std::int8_t> order;
 };
 
 /// Compares the signed crossings of the projected curves with the fabric's books. Two crossings of the same

@@ -31,6 +31,7 @@ float limit(float value, float most) {
 
 CurvePlan::CurvePlan(const fabric::Fabric& fabric, std::span<const double> diameterMm) {
     CurvePlanner(fabric, diameterMm, *this).run();
+    m_lift.assign(m_pointOfControl.size(), 0);
 }
 
 Vec3f CurvePlan::placeOf(const FrameField& frames, const Anchor& anchor) {
@@ -49,6 +50,15 @@ void CurvePlan::place(const FrameField& frames, std::vector<ControlValue>& contr
     placeCorners(frames, controls);
     placeArcs(frames, controls);
     placeReaches(frames, controls);
+    for (std::size_t c = 0; c < controls.size(); ++c) {
+        if (m_lift[c] != 0) {
+            ControlValue& value = controls[c];
+            for (std::size_t k = 0; k < 3; ++k) {
+                value[k] += m_lift[c] * value[4 + k];
+            }
+            value[3] += m_lift[c];
+        }
+    }
     // Mirrored end points make the spline begin and end at its first and last control point.
     for (const YarnRange& yarn : m_yarns) {
         const auto first = static_cast<std::size_t>(yarn.first);

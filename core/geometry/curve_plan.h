@@ -37,6 +37,9 @@ public:
     /// By control point: bonding point whose leg, float or half sinker begins there.
     const std::vector<fabric::PointIndex>& pieceOfControl() const { return m_pieceOfControl; }
 
+    /// By control point: mm that it is raised along the normal of the fabric, besides what its place asks for.
+    std::vector<float>& lift() { return m_lift; }
+
     /// Writes all control points, the two beyond the ends of each yarn included.
     void place(const FrameField& frames, std::vector<ControlValue>& controls) const;
 
@@ -92,6 +95,7 @@ private:
     std::vector<YarnRange> m_yarns;
     std::vector<fabric::PointIndex> m_pointOfControl;
     std::vector<fabric::PointIndex> m_pieceOfControl;
+    std::vector<float> m_lift;
     std::vector<Corner> m_corners;
     std::vector<Arc> m_arcs;
     std::vector<Reach> m_reaches;

@@ -21,7 +21,7 @@ std::array<float, 4> splineWeights(float t) {
 
 YarnCurveBuilder::YarnCurveBuilder(const fabric::Fabric& fabric, std::span<const double> diameterMm,
                                    const CurveOptions& options)
-    : m_options(options), m_frames(fabric), m_plan(fabric, diameterMm) {
+    : m_options(options), m_diameterMm(diameterMm.begin(), diameterMm.end()), m_frames(fabric), m_plan(fabric, diameterMm) {
     const int samples = std::clamp(options.samplesPerSegment, 1, 32);
     for (int i = 0; i < samples; ++i) {
         m_weights.push_back(splineWeights(static_cast<float>(i) / static_cast<float>(samples)));
@@ -34,6 +34,7 @@ YarnCurveBuilder::YarnCurveBuilder(const fabric::Fabric& fabric, std::span<const
             const auto control = static_cast<std::size_t>(yarn.first + i);
             m_nodeOfControl[control] = node;
             const int own = i + 1 < yarn.count ? samples : 1;
+            m_controlOfNode.insert(m_controlOfNode.end(), static_cast<std::size_t>(own), control);
             m_curves.point.insert(m_curves.point.end(), static_cast<std::size_t>(own),
                                   m_plan.pointOfControl()[control]);
             m_curves.piece.insert(m_curves.piece.end(), static_cast<std::size_t>(own),
@@ -107,6 +108,9 @@ void YarnCurveBuilder::measureArc() {
 YarnCurves buildYarnCurves(const fabric::Fabric& fabric, std::span<const float> positions,
                            std::span<const double> diameterMm, const CurveOptions& options) {
     YarnCurveBuilder builder(fabric, diameterMm, options);
+    if (options.exact) {
+        builder.separate(fabric, positions);
+    }
     builder.update(positions);
     return builder.curves();
 }

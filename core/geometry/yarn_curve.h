@@ -27,6 +27,7 @@ struct YarnCurves {
 /// How a curve is drawn through the bonding points.
 struct CurveOptions {
     int samplesPerSegment = 4; ///< nodes between two control points
+    bool exact = false;        ///< see YarnCurveBuilder::separate
     bool withSurface = false;  ///< fill YarnCurves::normal and ::height
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/geometry/curve_plan.h"
 #include "core/geometry/frame_field.h"
+#include "core/geometry/projected_crossings.h"
 #include "core/geometry/yarn_curve.h"
 
 namespace knittsim::geometry {
@@ -18,19 +19,29 @@ public:
     /// Curves at `positions` (3 per entry, mm). Valid until the next call.
     const YarnCurves& update(std::span<const float> positions);
 
+    /// Raises and lowers strands at `positions` (a shape that lies flat, such as the machine's) until at every
+    /// crossing of the projection the strand that the fabric's books name lies in front by at least
+    /// kLeastGap diameters; later updates keep that. Returns the number of rounds it took, -1 when crossings
+    /// remain that nothing can mend (see CrossingAudit). Some tenths of a second for 10,000 loops.
+    int separate(const fabric::Fabric& fabric, std::span<const float> positions);
+
     const YarnCurves& curves() const { return m_curves; }
     const FrameField& frames() const { return m_frames; }
 
 private:
+    bool raise(const std::vector<ProjectedCrossing>& crossings, const std::vector<std::int8_t>& order);
+    float diameterAt(std::int32_t node) const;
     void sample(std::size_t firstControl, std::size_t lastControl);
     void measureArc();
 
     CurveOptions m_options;
+    std::vector<double> m_diameterMm; ///< by carrier
     FrameField m_frames;
     CurvePlan m_plan;
     std::vector<ControlValue> m_controls;
     std::vector<std::int32_t>
         m_nodeOfControl; ///< first node of the span that begins at a control, -1 for none
+    std::vector<std::size_t> m_controlOfNode; ///< at or before
     std::vector<std::array<float, 4>> m_weights; ///< by sample of a span
     YarnCurves m_curves;
 };

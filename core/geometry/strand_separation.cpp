@@ -1,0 +1,78 @@
+#include "core/geometry/crossing_audit.h"
+#include "core/geometry/yarn_curve_builder.h"
+
+#include <algorithm>
+
+namespace knittsim::geometry {
+
+namespace {
+
+constexpr int kMostRounds = 24;
+constexpr float kLeastGap = 0.3F; ///< diameters between centrelines
+
+/// How much raising each of the four control points beside a place adds there.
+std::array<float, 4> weightsAt(float t) {
+    const float u = 1 - t;
+    return {u * u * u / 6, (3 * t * t * t - 6 * t * t + 4) / 6, (3 * u * u * u - 6 * u * u + 4) / 6,
+            t * t * t / 6};
+}
+
+} // namespace
+
+int YarnCurveBuilder::separate(const fabric::Fabric& fabric, std::span<const float> positions) {
+    for (int round = 0; round < kMostRounds; ++round) {
+        update(positions);
+        const std::vector<ProjectedCrossing> crossings = projectCrossings(m_curves);
+        if (!raise(crossings, auditCrossings(fabric, m_curves, crossings).order)) {
+            return round;
+        }
+    }
+    return -1;
+}
+
+/// Moves the strands of every crossing that is not as it should be half the missing distance each. Where
+/// several crossings pull at one control point it moves by their mean.
+bool YarnCurveBuilder::raise(const std::vector<ProjectedCrossing>& crossings,
+                             const std::vector<std::int8_t>& order) {
+    std::vector<float>& lift = m_plan.lift();
+    std::vector<float> move(lift.size(), 0);
+    std::vector<float> pulls(lift.size(), 0);
+    const auto samples = static_cast<float>(m_weights.size());
+    const auto pull = [&](std::int32_t node, float share, float by) {
+        const std::size_t control = m_controlOfNode[static_cast<std::size_t>(node)];
+        const std::int32_t within = node - m_nodeOfControl[control];
+        const auto weights = weightsAt((static_cast<float>(within) + share) / samples);
+        float squares = 0;
+        for (const float w : weights) {
+            squares += w * w;
+        }
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            move[control + i - 1] += by * weights[i] / squares * weights[i];
+            pulls[control + i - 1] += weights[i];
+        }
+    };
+    bool any = false;
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+        const ProjectedCrossing& c = crossings[i];
+        const float least = kLeastGap * 0.5F * (diameterAt(c.over) + diameterAt(c.under));
+        const float missing = least - static_cast<float>(order[i]) * c.gapMm;
+        if (order[i] == 0 || missing <= 0) {
+            continue;
+        }
+        any = true;
+        const float by = static_cast<float>(order[i]) * 0.5F * (missing + 0.1F * least);
+        pull(c.over, c.overShare, by);
+        pull(c.under, c.underShare, -by);
+    }
+    for (std::size_t c = 0; c < lift.size(); ++c) {
+        lift[c] += pulls[c] > 0 ? move[c] / pulls[c] : 0;
+    }
+    return any;
+}
+
+float YarnCurveBuilder::diameterAt(std::int32_t node) const {
+    const auto yarn = std::ranges::upper_bound(m_curves.yarns, node, {}, &YarnCurves::Range::first) - 1;
+    return yarn->carrier < m_diameterMm.size() ? static_cast<float>(m_diameterMm[yarn->carrier]) : 0.3F;
+}
+
+} // namespace knittsim::geometry
