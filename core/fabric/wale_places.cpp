@@ -18,7 +18,12 @@ std::vector<WalePlace> placesMade(const Fabric& fabric) {
     for (std::size_t i = 0; i < loops.size(); ++i) {
         const machine::Loop& loop = loops[i];
         places[i].centre = machine::positionPitches(loop.needle, loop.rack);
-        places[i].halfWidth = fabric.loops[i].crowded ? kNarrowHalf : places[i].halfWidth;
+        if (fabric.loops[i].crowded) {
+            places[i].halfWidth = kNarrowHalf;
+            if (!machine::isFront(loop.needle.bed)) {
+                places[i].centre = std::floor(places[i].centre) + kHalfPitch;
+            }
+        }
         const auto yarn = static_cast<std::size_t>(loop.yarn);
         lastOfYarn.resize(std::max(lastOfYarn.size(), yarn + 1), -1);
         const LoopIndex previous = lastOfYarn[yarn];
@@ -47,7 +52,9 @@ WalePlaces walePlaces(const Fabric& fabric) {
     const std::vector<WalePlace>& made = places.made;
     for (std::size_t i = 0; i < made.size(); ++i) {
         const Loop& loop = fabric.loops[i];
-        const bool stays = loop.end != Loop::End::Bound && loop.bound == fabric.made.loops[i].needle;
+        const machine::Loop& own = fabric.made.loops[i];
+        const bool stays =
+            loop.end != Loop::End::Bound && loop.bound == own.needle && loop.boundRack == own.rack;
         places.bound[i] = {stays ? made[i].centre : machine::positionPitches(loop.bound, loop.boundRack),
                            made[i].halfWidth};
     }

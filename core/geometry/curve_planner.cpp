@@ -28,6 +28,7 @@ constexpr float kTurnOut = 0.9F;
 constexpr float kTurnDown = 0.8F;
 constexpr float kTurnBackOut = 1.5F; ///< round the leg that the yarn is drawn through next
 constexpr float kTurnBackDown = 0.8F;
+constexpr float kKinkDown = 0.2F;
 constexpr float kWaitOut = 0.3F; ///< for every course more
 constexpr float kWaitMost = 3;
 constexpr float kFloatDip = 0.5F;
@@ -166,9 +167,20 @@ bool CurvePlanner::isSteep(const Station& a, const Station& b) const {
     return std::abs(from.y() - to.y()) > std::max(std::abs(from.x() - to.x()), kSteepCourses * m_fabric.courseMm);
 }
 
-/// The yarn goes round the selvedge to the next course.
-bool CurvePlanner::isTurn(const Station& a, const Station& b) const {
-    return a.side == b.side && loop(a.loop).course != loop(b.loop).course;
+/// The yarn turns round, at a selvedge or from one bed to the other.
+bool CurvePlanner::isTurn(const Station& a, const Station& b) {
+    return a.side == b.side;
+}
+
+/// A float that turns back behind the leg that it comes from.
+bool CurvePlanner::isKink(const Station& a, const Station& b) const {
+    if (!b.isCrossing() || a.isCrossing()) {
+        return false;
+    }
+    const fabric::Crossing& crossing = m_fabric.crossings[static_cast<std::size_t>(point(b.point).crossing)];
+    const fabric::BondingPoint& other = point(crossing.over == b.point ? crossing.under : crossing.over);
+    const auto leg = a.side == fabric::Side::Left ? fabric::Piece::LeftLeg : fabric::Piece::RightLeg;
+    return other.loop == a.loop && other.piece == leg;
 }
 
 std::int32_t CurvePlanner::newControl(const Station& owner, const Station& piece) {
@@ -302,11 +314,15 @@ void CurvePlanner::addSinker(const Station& a, const Station& b) {
 }
 
 void CurvePlanner::addTurn(const Station& a, const Station& b) {
-    // A yarn that waits for some courses runs outside of those that turn meanwhile.
-    const int courses = std::abs(loop(a.loop).course - loop(b.loop).course);
-    const float wait = std::min(kWaitMost, kWaitOut * static_cast<float>(courses - 1));
+    const float wait = waitOut(a, b);
     addTurnControl(a, a, kTurnOut + wait, kTurnDown);
     addTurnControl(b, a, kTurnBackOut + wait, kTurnBackDown);
+}
+
+/// A yarn that waits for some courses runs outside of those that turn meanwhile, diameters.
+float CurvePlanner::waitOut(const Station& a, const Station& b) const {
+    const double courses = std::abs(placeOf(a).y() - placeOf(b).y()) / m_fabric.courseMm;
+    return std::min(kWaitMost, kWaitOut * std::max(0.0F, static_cast<float>(courses) - 1));
 }
 
 void CurvePlanner::addTurnControl(const Station& near, const Station& owner, float across, float down) {
@@ -320,14 +336,16 @@ void CurvePlanner::addTurnControl(const Station& near, const Station& owner, flo
 
 void CurvePlanner::addFloat(const Station& a, const Station& b) {
     const bool steep = isSteep(a, b);
-    if (steep && !a.isCrossing()) {
+    const bool kink = isKink(a, b);
+    if ((steep && !a.isCrossing()) || kink) {
         // Up beside the fabric, outside of the yarns that turn there, and then in.
-        addTurnControl(a, a, kTurnOut, kTurnDown);
+        const float wait = waitOut(a, b);
+        addTurnControl(a, a, kTurnOut + wait, kTurnDown);
         const double outward = static_cast<double>(sideSign(a.side)) * (placeOf(b).x() - placeOf(a).x());
-        if (outward < kBesideEdge * m_fabric.pitchMm) {
+        if (kink || outward < kBesideEdge * m_fabric.pitchMm) {
             Station below = b;
             below.side = a.side;
-            addTurnControl(below, a, kTurnBackOut, kTurnBackDown);
+            addTurnControl(below, a, kTurnBackOut + wait, kink ? kKinkDown : kTurnBackDown);
         }
         return;
     }

@@ -46,7 +46,8 @@ private:
     const Vec3& placeOf(const Station& station) const { return placeOf(station.anchor.entry); }
     bool isFarAcross(const Station& a, const Station& b) const;
     bool isSteep(const Station& a, const Station& b) const;
-    bool isTurn(const Station& a, const Station& b) const;
+    static bool isTurn(const Station& a, const Station& b);
+    bool isKink(const Station& a, const Station& b) const;
     float stored(const Station& a) const { return static_cast<float>(m_fabric.lengths[static_cast<std::size_t>(a.point)]); }
 
     std::int32_t newControl(const Station& owner, const Station& piece);
@@ -60,6 +61,7 @@ private:
     void addLeg(const Station& a, const Station& b);
     void addSinker(const Station& a, const Station& b);
     void addTurn(const Station& a, const Station& b);
+    float waitOut(const Station& a, const Station& b) const;
     void addTurnControl(const Station& near, const Station& owner, float across, float down);
     void addFloat(const Station& a, const Station& b);
     void addReach(const Station& near, const Station& far, const Station& owner, float out);
