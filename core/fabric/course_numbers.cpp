@@ -1,6 +1,9 @@
 #include "core/fabric/course_numbers.h"
 
+#include "core/machine/emulator.h"
+
 #include <algorithm>
+#include <array>
 
 namespace knittsim::fabric {
 
@@ -20,6 +23,27 @@ std::vector<machine::LoopIndex> loopsBelow(const machine::LoopTable& table) {
     return below;
 }
 
+/// The last course that each needle has knitted.
+class NeedleCourses {
+public:
+    std::int32_t courseOn(machine::Needle needle) const {
+        const auto& row = m_rows[static_cast<std::size_t>(needle.bed)];
+        const std::size_t i = place(needle);
+        return i < row.size() ? row[i] : -1;
+    }
+    void add(machine::Needle needle, std::int32_t course) {
+        auto& row = m_rows[static_cast<std::size_t>(needle.bed)];
+        row.resize(std::max(row.size(), place(needle) + 1), -1);
+        row[place(needle)] = course;
+    }
+
+private:
+    static std::size_t place(machine::Needle needle) {
+        return static_cast<std::size_t>(needle.index + machine::kMaxNeedleIndex);
+    }
+    std::array<std::vector<std::int32_t>, 4> m_rows;
+};
+
 /// Looks at the loops of one pass; loops of earlier passes have their course already.
 class PassCourse {
 public:
@@ -27,8 +51,8 @@ public:
     void tuck(std::int32_t below) { m_tuck = below < 0 ? m_tuck : std::max(m_tuck, below + 1); }
     void continues(std::int32_t course) { m_before = std::max(m_before, course); }
 
-    /// A pass of tucks lies in the course above the loops that it lies on; one on empty needles in the course
-    /// of its yarn's last pass.
+    /// A pass of tucks lies in the course above the loops that it lies on, or that its needles knitted before
+    /// they were emptied; on needles that never knitted in the course of its yarn's last pass.
     std::int32_t course() const {
         return m_knit >= 0 ? m_knit : m_tuck >= 0 ? m_tuck : std::max(m_before, 0);
     }
@@ -71,6 +95,7 @@ CourseNumbers numberCourses(const machine::Timeline& timeline) {
     const machine::LoopTable& table = timeline.loops();
     std::vector<std::int32_t> lastCourseOfYarn(static_cast<std::size_t>(timeline.finalState().yarnCount), -1);
     const std::vector<machine::LoopIndex> below = loopsBelow(table);
+    NeedleCourses knitted;
     std::size_t i = 0;
     while (i < table.loops.size()) {
         const std::int32_t passIndex =
@@ -87,11 +112,16 @@ CourseNumbers numberCourses(const machine::Timeline& timeline) {
             if (const auto lower = below[i]; lower >= 0 && static_cast<std::size_t>(lower) < first &&
                                              loop.kind == machine::OperationKind::Tuck) {
                 pass.tuck(numbers.courseOf(table.loops[static_cast<std::size_t>(lower)].operation));
+            } else if (lower < 0 && loop.parentCount == 0) {
+                pass.tuck(knitted.courseOn(loop.needle));
             }
         }
         numbers.courseOfPass[static_cast<std::size_t>(passIndex)] = pass.course();
         for (std::size_t made = first; made < i; ++made) {
             lastCourseOfYarn[static_cast<std::size_t>(table.loops[made].yarn)] = pass.course();
+            if (table.loops[made].parentCount > 0) {
+                knitted.add(table.loops[made].needle, pass.course());
+            }
         }
     }
     return numbers;

@@ -8,6 +8,8 @@ namespace knittsim::fabric {
 
 namespace {
 
+constexpr double kSamePlace = 0.1; ///< pitches
+
 /// Puts the crossings where their two strands can meet.
 class Placer {
 public:
@@ -21,6 +23,9 @@ public:
             if (crossing.over >= 0 && crossing.under >= 0) {
                 place(crossing.over) = meet(crossing.over, crossing.under);
             }
+        }
+        for (const Yarn& yarn : m_fabric.yarns) {
+            levelFloats(yarn.first, yarn.first + yarn.count);
         }
     }
 
@@ -37,6 +42,27 @@ private:
             place.y() = std::clamp(place.y(), onFloat.y() - 0.5 * m_height, onFloat.y() + 0.5 * m_height);
         }
         return place;
+    }
+
+    /// A float crosses legs that stand behind each other at one height.
+    void levelFloats(PointIndex first, PointIndex end) {
+        const auto onFloat = [&](PointIndex p) {
+            return point(p).role == Role::Crossing && point(p).piece == Piece::Float;
+        };
+        while (first < end) {
+            PointIndex last = first + 1;
+            double y = place(first).y();
+            while (last < end && onFloat(first) && onFloat(last) && point(last).loop == point(first).loop &&
+                   std::abs(place(last).x() - place(first).x()) < kSamePlace * m_fabric.pitchMm) {
+                y += place(last++).y();
+            }
+            if (last - first > 1) {
+                for (PointIndex p = first; p < last; ++p) {
+                    place(p).y() = y / static_cast<double>(last - first);
+                }
+            }
+            first = last;
+        }
     }
 
     /// Where each strand would have its crossings.

@@ -17,9 +17,9 @@ std::span<const Piece> fromLeft(Strand::Kind kind) {
     return kFloat;
 }
 
-/// Of a leg from the middle of its needle, pitches.
+/// Of a leg from the middle of its needle, pitches; little, so that wales a fraction of a pitch apart stay apart.
 float offset(Piece piece) {
-    return piece == Piece::Float ? 0 : piece == Piece::LeftLeg ? -0.25F : 0.25F;
+    return piece == Piece::Float ? 0 : piece == Piece::LeftLeg ? -0.1F : 0.1F;
 }
 
 } // namespace

@@ -117,6 +117,7 @@ CurvePlanner::Station CurvePlanner::baseOf(const Station& onLeg, PointIndex owne
     const PointIndex head = onLeg.incoming ? std::min(l.headLeft, l.headRight) : std::max(l.headLeft, l.headRight);
     Station base = stationAt(head);
     base.kind = Station::Kind::Base;
+    base.self = onLeg.point;
     base.point = owner;
     const float level = m_levels[static_cast<std::size_t>(onLeg.loop)];
     base.anchor.beside = footBeside(onLeg.loop, onLeg.incoming);
@@ -164,7 +165,9 @@ bool CurvePlanner::isFarAcross(const Station& a, const Station& b) const {
 bool CurvePlanner::isSteep(const Station& a, const Station& b) const {
     const Vec3& from = placeOf(a);
     const Vec3& to = placeOf(b);
-    return std::abs(from.y() - to.y()) > std::max(std::abs(from.x() - to.x()), kSteepCourses * m_fabric.courseMm);
+    const double across = std::abs(from.x() - to.x());
+    const double along = std::abs(from.y() - to.y());
+    return across < kBesideEdge * m_fabric.pitchMm || along > std::max(across, kSteepCourses * m_fabric.courseMm);
 }
 
 /// The yarn turns round, at a selvedge or from one bed to the other.

@@ -18,7 +18,7 @@ private:
     /// What a yarn runs through: bonding points, and the bases of legs that have no foot.
     struct Station {
         fabric::PointIndex point = -1; ///< at or before it
-        fabric::PointIndex self = -1;  ///< the same, but the head above a base
+        fabric::PointIndex self = -1;  ///< the same, but for a base the one next to it on its leg
         machine::LoopIndex loop = -1;
         fabric::Side side = fabric::Side::Left;
         enum class Kind : std::uint8_t { Foot, Base, Head, OnLeg, OnFloat } kind = Kind::Foot;
