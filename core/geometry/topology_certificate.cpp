@@ -1,0 +1,125 @@
+#include "core/geometry/topology_certificate.h"
+
+#include "core/geometry/strand_order.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace knittsim::geometry {
+
+namespace {
+
+using fabric::PointIndex;
+using machine::LoopIndex;
+
+/// Nodes [first, last] of a loop's legs and head; `middle` is the first of its second half.
+struct Nodes {
+    std::int32_t first = -1;
+    std::int32_t middle = -1;
+    std::int32_t last = -1;
+};
+
+/// Does the segment cross the triangle? +1 along the normal (b - a) x (c - a), -1 against it, 0 not.
+int pierce(const Vec3& from, const Vec3& to, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto volume = [](const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
+        return (q - p).cross(r - p).dot(s - p);
+    };
+    const double below = volume(a, b, c, from);
+    const double above = volume(a, b, c, to);
+    if ((below > 0) == (above > 0)) {
+        return 0;
+    }
+    const bool u = volume(from, to, a, b) > 0;
+    const bool v = volume(from, to, b, c) > 0;
+    const bool w = volume(from, to, c, a) > 0;
+    if (u != v || v != w) {
+        return 0;
+    }
+    return above > 0 ? 1 : -1;
+}
+
+class Certifier {
+public:
+    Certifier(const fabric::Fabric& fabric, const YarnCurves& curves)
+        : m_fabric(fabric), m_curves(curves), m_nodes(fabric.loops.size()) {
+        for (std::size_t n = 0; n < curves.piece.size(); ++n) {
+            add(static_cast<std::int32_t>(n));
+        }
+    }
+
+    TopologyCertificate run() const {
+        TopologyCertificate certificate;
+        for (std::size_t i = 0; i < m_fabric.loops.size(); ++i) {
+            if (m_fabric.loops[i].footLeft < 0) {
+                continue;
+            }
+            const auto loop = static_cast<LoopIndex>(i);
+            for (const LoopIndex parent : m_fabric.made.parentsOf(loop)) {
+                ++certificate.pairs;
+                const int sign = pullSign(m_fabric, loop);
+                const PullThrough found = test(loop, parent);
+                if (found.in != sign || found.out != -sign) {
+                    certificate.failures.push_back(found);
+                }
+            }
+        }
+        return certificate;
+    }
+
+private:
+    void add(std::int32_t node) {
+        const PointIndex p = m_curves.piece[static_cast<std::size_t>(node)];
+        const fabric::BondingPoint& point = m_fabric.points[static_cast<std::size_t>(p)];
+        if (point.role == fabric::Role::Crossing && point.piece == fabric::Piece::Float) {
+            return;
+        }
+        Nodes& nodes = m_nodes[static_cast<std::size_t>(point.loop)];
+        nodes.first = nodes.first < 0 ? node : nodes.first;
+        nodes.last = node;
+        const fabric::Loop& loop = m_fabric.loops[static_cast<std::size_t>(point.loop)];
+        if (nodes.middle < 0 && p >= std::max(loop.headLeft, loop.headRight)) {
+            nodes.middle = node;
+        }
+    }
+
+    Vec3 at(std::int32_t node) const { return m_curves.nodes[static_cast<std::size_t>(node)].cast<double>(); }
+
+    PullThrough test(LoopIndex loop, LoopIndex parent) const {
+        const Nodes& own = m_nodes[static_cast<std::size_t>(loop)];
+        const Nodes& old = m_nodes[static_cast<std::size_t>(parent)];
+        PullThrough found{.loop = loop, .parent = parent};
+        if (own.middle < 0 || old.middle < 0) {
+            return found;
+        }
+        Vec3 centre = Vec3::Zero();
+        for (std::int32_t n = old.first; n <= old.last; ++n) {
+            centre += at(n);
+        }
+        centre /= static_cast<double>(old.last - old.first + 1);
+        // The fan turns clockwise seen from the front when the yarn ran rightward.
+        const bool rightward =
+            m_fabric.made.loops[static_cast<std::size_t>(parent)].direction == machine::Direction::Right;
+        const int front = rightward ? -1 : 1;
+        for (std::int32_t n = own.first; n < own.last; ++n) {
+            int& count = n + 1 < own.middle ? found.in : found.out;
+            for (std::int32_t k = old.first; k <= old.last; ++k) {
+                const Vec3 next = k == old.last ? at(old.first) : at(k + 1);
+                count += front * pierce(at(n), at(n + 1), centre, at(k), next);
+            }
+        }
+        return found;
+    }
+
+    const fabric::Fabric& m_fabric;
+    const YarnCurves& m_curves;
+    std::vector<Nodes> m_nodes; ///< by loop
+};
+
+} // namespace
+
+TopologyCertificate certifyTopology(const fabric::Fabric& fabric, const YarnCurves& curves) {
+    return Certifier(fabric, curves).run();
+}
+
+} // namespace knittsim::geometry
