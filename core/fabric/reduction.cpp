@@ -228,8 +228,12 @@ std::size_t Runs::loopCount() const {
 }
 
 Runs findRuns(const Fabric& fabric, const ReductionOptions& options) {
+    const auto isThere = [&](std::size_t loop) { return fabric.loops[loop].headLeft >= 0; };
     std::vector<std::int32_t> holders(fabric.loops.size(), 0); // loops drawn through it that are still there
     for (std::size_t i = 0; i < fabric.loops.size(); ++i) {
+        if (!isThere(i)) {
+            continue;
+        }
         for (const LoopIndex parent : fabric.made.parentsOf(static_cast<LoopIndex>(i))) {
             ++holders[static_cast<std::size_t>(parent)];
         }
@@ -238,7 +242,7 @@ Runs findRuns(const Fabric& fabric, const ReductionOptions& options) {
     Runs runs;
     std::vector<LoopIndex> step;
     for (std::size_t i = 0; i < holders.size(); ++i) {
-        if (holders[i] == 0 && fabric.loops[i].headLeft >= 0) {
+        if (holders[i] == 0 && isThere(i)) {
             step.push_back(static_cast<LoopIndex>(i));
         }
     }

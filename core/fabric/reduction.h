@@ -20,7 +20,7 @@ struct Runs {
 };
 
 /// A loop holds while it hangs on a needle or a loop that holds is drawn through it. Meissner & Eberhardt
-/// 1998, section 4.
+/// 1998, section 4. Of a fabric that is partly reduced already: the runs that go on from there.
 Runs findRuns(const Fabric& fabric, const ReductionOptions& options = {});
 
 struct ReducedFabric {
