@@ -13,6 +13,12 @@ enum class DrawStyle : std::uint8_t {
     Mesh,    ///< bonding points and the yarn between them, straight
 };
 
+/// Colours of the bonding points in the bare mesh, by role.
+struct MeshColours {
+    yarn::Colour foot, head, crossing;
+};
+MeshColours meshColours(bool dark);
+
 /// What the renderer needs to know of a yarn. Plain value.
 struct YarnLook {
     yarn::Colour colour;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <semaphore>
 
 namespace knittsim::render {
@@ -48,6 +49,33 @@ TEST(FabricScene, everyYarnBeginsWhereEveryStrideMeetsIt) {
                 << "shaders must see that node " << n << " is none";
         }
     }
+}
+
+TEST(FabricScene, aCrossingTellsTheWayOfBothStrands) {
+    // Two loops change places; the one from needle 0 goes to the right in front of the other.
+    const auto fabric = std::make_shared<fabric::Fabric>(
+        test::build("in 1\n" + test::pass("knit", 'f', 0, 1, 1) +
+                    "xfer f0 b0\nxfer f1 b1\nrack 1\nxfer b0 f1\nrack -1\nxfer b1 f0\nrack 0\n" +
+                    test::pass("knit", 'f', 1, 0, 1)));
+    FabricScene scene(fabric, {}, DrawStyle::Mesh);
+    const auto frame = scene.prepare({});
+    ASSERT_EQ(frame->markers.size(), static_cast<std::size_t>(fabric->entryCount));
+    // Upwards, whichever way the yarn runs.
+    const auto lean = [](const std::array<float, 3>& way) { return way[0] / way[1]; };
+    for (const fabric::Crossing& crossing : fabric->crossings) {
+        const auto entry = fabric->points[static_cast<std::size_t>(crossing.over)].entry;
+        const Marker& marker = frame->markers[static_cast<std::size_t>(entry)];
+        EXPECT_EQ(marker.kind, Marker::Crossing);
+        const float over = lean(marker.front);
+        const float under = lean(marker.behind);
+        EXPECT_GT(over * static_cast<float>(crossing.sign), under * static_cast<float>(crossing.sign));
+    }
+    const auto countOf = [&](Marker::Kind kind) {
+        return std::ranges::count(frame->markers, kind, &Marker::kind);
+    };
+    EXPECT_EQ(countOf(Marker::Crossing), 4);
+    EXPECT_EQ(countOf(Marker::Bond), 4) << "two loops drawn through two";
+    EXPECT_EQ(countOf(Marker::OpenHead), 4) << "two loops on the needles";
 }
 
 TEST(FabricScene, piecesCoverEachSegmentOnceAndHoldTheirNodes) {
