@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
 
 namespace knittsim::fabric {
@@ -264,6 +265,29 @@ Runs findRuns(const Fabric& fabric, const ReductionOptions& options) {
 ReducedFabric removeRuns(const Fabric& fabric, const Runs& runs, int steps) {
     const std::size_t wanted = steps < 0 ? runs.steps.size() : static_cast<std::size_t>(steps);
     return Remover(fabric, planRemoval(fabric, runs, wanted)).run();
+}
+
+std::vector<EntryIndex> pairEntries(const ReducedFabric& more, const ReducedFabric& less) {
+    std::vector<EntryIndex> pairs;
+    pairs.reserve(more.entryBefore.size());
+    std::unordered_map<EntryIndex, EntryIndex> known;
+    for (std::size_t e = 0; e < less.entryBefore.size(); ++e) {
+        known.emplace(less.entryBefore[e], static_cast<EntryIndex>(e));
+    }
+    for (const EntryIndex before : more.entryBefore) {
+        pairs.push_back(known.at(before));
+    }
+    return pairs;
+}
+
+std::vector<float> pickPositions(std::span<const EntryIndex> entries, std::span<const float> positions) {
+    std::vector<float> picked;
+    picked.reserve(entries.size() * 3);
+    for (const EntryIndex entry : entries) {
+        const auto place = positions.subspan(3 * static_cast<std::size_t>(entry), 3);
+        picked.insert(picked.end(), place.begin(), place.end());
+    }
+    return picked;
 }
 
 } // namespace knittsim::fabric

@@ -2,6 +2,7 @@
 
 #include "core/fabric/fabric.h"
 
+#include <span>
 #include <vector>
 
 namespace knittsim::fabric {
@@ -32,5 +33,12 @@ struct ReducedFabric {
 /// removed loop, as the rung of a ladder; the yarn of the loop itself goes in equal parts to the neighbouring
 /// loops of its yarn (section 5).
 ReducedFabric removeRuns(const Fabric& fabric, const Runs& runs, int steps = -1);
+
+/// Two reductions of one fabric, `more` with all that `less` took out and more: by entry of `more` the entry
+/// of `less`.
+std::vector<EntryIndex> pairEntries(const ReducedFabric& more, const ReducedFabric& less);
+
+/// Positions (3 per entry) of other entries: those of `entries`, one after the other.
+std::vector<float> pickPositions(std::span<const EntryIndex> entries, std::span<const float> positions);
 
 } // namespace knittsim::fabric

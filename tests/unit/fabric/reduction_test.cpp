@@ -149,6 +149,19 @@ TEST(Reduction, APlaceIsWhereItWasBefore) {
     }
 }
 
+TEST(Reduction, PositionsAreKeptFromStepToStep) {
+    const Fabric before = build(swatch() + "drop f1\n");
+    const Runs runs = findRuns(before);
+    const ReducedFabric less = removeRuns(before, runs, 1);
+    const ReducedFabric more = removeRuns(before, runs, 3);
+    std::vector<float> places(3 * static_cast<std::size_t>(before.entryCount));
+    std::iota(places.begin(), places.end(), 0.0F);
+    const auto atOnce = pickPositions(more.entryBefore, places);
+    const auto inSteps = pickPositions(pairEntries(more, less), pickPositions(less.entryBefore, places));
+    EXPECT_EQ(atOnce.size(), 3 * static_cast<std::size_t>(more.fabric.entryCount));
+    EXPECT_EQ(inSteps, atOnce);
+}
+
 class RandomReduction : public testing::TestWithParam<unsigned> {};
 
 TEST_P(RandomReduction, YarnIsConservedAndNothingLooseIsLeft) {

@@ -54,9 +54,9 @@ TEST(FabricScene, everyYarnBeginsWhereEveryStrideMeetsIt) {
 TEST(FabricScene, aCrossingTellsTheWayOfBothStrands) {
     // Two loops change places; the one from needle 0 goes to the right in front of the other.
     const auto fabric = std::make_shared<fabric::Fabric>(
-        test::build("in 1\n" + test::pass("knit", 'f', 0, 1, 1) +
+        test::build("in 1\n" + test::pass("knit", 'f', 0, 1, 1) + test::pass("knit", 'f', 1, 0, 1) +
                     "xfer f0 b0\nxfer f1 b1\nrack 1\nxfer b0 f1\nrack -1\nxfer b1 f0\nrack 0\n" +
-                    test::pass("knit", 'f', 1, 0, 1)));
+                    test::pass("knit", 'f', 0, 1, 1)));
     FabricScene scene(fabric, {}, DrawStyle::Mesh);
     const auto frame = scene.prepare({});
     ASSERT_EQ(frame->markers.size(), static_cast<std::size_t>(fabric->entryCount));
@@ -74,7 +74,7 @@ TEST(FabricScene, aCrossingTellsTheWayOfBothStrands) {
         return std::ranges::count(frame->markers, kind, &Marker::kind);
     };
     EXPECT_EQ(countOf(Marker::Crossing), 4);
-    EXPECT_EQ(countOf(Marker::Bond), 4) << "two loops drawn through two";
+    EXPECT_EQ(countOf(Marker::Bond), 8) << "twice two loops drawn through two";
     EXPECT_EQ(countOf(Marker::OpenHead), 4) << "two loops on the needles";
 }
 
@@ -175,7 +175,7 @@ TEST(SceneWorker, takesShapesOfTheSameSizeOnly) {
     const auto highest = [&](std::shared_ptr<const simulation::Frame> frame) {
         worker.post({.fabric = fabric, .looks = {}, .style = DrawStyle::Mesh, .shape = std::move(frame)});
         ready.acquire();
-        return worker.take()->scene->markers[0].y;
+        return worker.take()->scene->markers[0].place[1];
     };
     const float onMachine = highest(nullptr);
     EXPECT_EQ(highest(shape), 7.0F);
