@@ -50,6 +50,7 @@ Document::Document(QObject* parent) : QObject(parent), m_library(readLibrary()),
     connect(&m_opener, &Opener::finished, this, &Document::take);
     connect(&m_bridge, &SimulationBridge::frameArrived, this, &Document::updateShownFrame);
     connect(&m_bridge, &SimulationBridge::stateChanged, this, &Document::activityChanged);
+    connect(&m_ladders, &LadderRunner::stepped, this, &Document::takeLadderStep);
     connect(&m_prefixes, &PrefixBuilder::built, this,
             [this](const std::shared_ptr<const PrefixFabric>& prefix) {
                 m_prefix = prefix;
@@ -98,7 +99,8 @@ void Document::take(const std::shared_ptr<const OpenedFile>& file) {
 
 void Document::show(const std::shared_ptr<const OpenedFile>& file) {
     // A large file takes a while to free; the window need not wait for it.
-    QThreadPool::globalInstance()->start([old = std::move(m_file), prefix = std::move(m_prefix)] {});
+    QThreadPool::globalInstance()->start(
+        [old = std::move(m_file), prefix = std::move(m_prefix), whole = std::move(m_whole)] {});
     m_file = file;
     m_failed.reset();
     m_prefixes.cancel();
@@ -107,7 +109,11 @@ void Document::show(const std::shared_ptr<const OpenedFile>& file) {
     m_carriers = file->carriers;
     m_step = operationCount();
     m_selection = {};
+    m_ladders.cancel();
+    m_restartAfterLadder = false;
     m_undo.clear();
+    m_whole = file->fabric;
+    countLoops();
     m_bridge.load(file->fabric, yarnsOf(m_carriers));
     emit generationChanged();
     emit opened();
@@ -115,6 +121,7 @@ void Document::show(const std::shared_ptr<const OpenedFile>& file) {
     emit stepChanged();
     emit selectionChanged();
     emit fabricShown();
+    emit ladderChanged();
 }
 
 const Diagnostics& Document::problems() const {
@@ -139,7 +146,8 @@ void Document::setStep(OperationIndex count) {
         emit fabricShown();
         updateShownFrame();
     } else {
-        m_prefixes.request(m_file->timeline, m_file->fabric, step);
+        m_ladders.finish(); // it runs out of sight
+        m_prefixes.request(m_file->timeline, m_whole, step);
     }
     emit stepChanged();
     selectOperation(step < end ? step - 1 : -1);
@@ -165,7 +173,7 @@ std::shared_ptr<const fabric::Fabric> Document::shownFabric() const {
     if (showsPrefix()) {
         return m_prefix->fabric;
     }
-    return m_file ? m_file->fabric : nullptr;
+    return m_whole;
 }
 
 std::shared_ptr<const simulation::Frame> Document::shownFrame() const {
@@ -174,7 +182,8 @@ std::shared_ptr<const simulation::Frame> Document::shownFrame() const {
 
 void Document::updateShownFrame() {
     const auto whole = m_bridge.frame();
-    if (!whole) {
+    const bool foreign = showsPrefix() && m_prefix->whole != m_whole; // its successor is under way
+    if (!whole || foreign) {
         return;
     }
     if (showsPrefix()) {
@@ -271,7 +280,10 @@ void Document::stop() {
 }
 
 void Document::restart() {
-    if (m_file) {
+    if (m_ladders.running()) {
+        m_restartAfterLadder = true;
+        m_ladders.finish();
+    } else if (m_file) {
         m_bridge.restart();
         emit generationChanged();
         start();
@@ -287,6 +299,9 @@ void Document::setIntegrator(const QString& id) {
 }
 
 void Document::drag(fabric::EntryIndex entry, Vec3 point) {
+    if (showsPrefix() && m_prefix->whole != m_whole) {
+        return;
+    }
     if (showsPrefix() && entry >= 0 && static_cast<std::size_t>(entry) < m_prefix->wholeEntry.size()) {
         entry = m_prefix->wholeEntry[static_cast<std::size_t>(entry)];
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/machine/timeline.h"
+#include "ui/document/ladder.h"
 #include "ui/document/opener.h"
 #include "ui/document/prefix_builder.h"
 #include "ui/document/selection.h"
@@ -67,6 +68,19 @@ public:
     /// The latest shape of shownFabric(); null while there is none.
     std::shared_ptr<const simulation::Frame> shownFrame() const;
 
+    /// Loops left on needles hang on a stitch holder (default); else they run as well.
+    bool stitchHolder() const { return m_stitchHolder; }
+    void setStitchHolder(bool on); ///< not while a ladder runs
+    /// Loops of the whole fabric that nothing holds and that are still there.
+    std::size_t unstableLoops() const;
+    /// Loops that have run and were taken out.
+    std::size_t removedLoops() const;
+    bool laddersRun() const { return m_ladders.running(); }
+    /// Shows the end of the program and takes the unstable loops out of the whole fabric, course by course;
+    /// physics goes on from the present shape. Undoable in one step. While they run: takes all out at once.
+    void removeLadders();
+    void cancelLadders(); ///< while they run: puts back what has run so far
+
     const Selection& selection() const { return m_selection; }
     void selectLoop(LoopIndex loop);
     void selectOperation(OperationIndex operation);
@@ -90,10 +104,12 @@ public:
     void start();
     void pause();
     void stepSimulation();
-    void restart();
     void stop();
     QString integrator() const { return m_integrator; }
     void setIntegrator(const QString& id);
+    /// Back to where the machine leaves the fabric; ladders that were taken out stay out.
+    void restart();
+
     /// Pulls an entry of shownFabric() towards a point, mm; until releaseDrag().
     void drag(fabric::EntryIndex entry, Vec3 point);
     void releaseDrag();
@@ -113,9 +129,12 @@ signals:
     void activityChanged();
     void integratorChanged();
     void generationChanged(); ///< load or restart: histories begin anew
+    void ladderChanged();     ///< stitchHolder(), unstableLoops(), removedLoops() or laddersRun() changed
+    void nothingRuns();       ///< the answer to removeLadders() when there is nothing to remove
 
 private:
     friend class YarnCommand;
+    friend class LadderCommand;
 
     void begin(const OpenRequest& request);
     void take(const std::shared_ptr<const OpenedFile>& file);
@@ -125,11 +144,22 @@ private:
     bool showsPrefix() const { return m_prefix != nullptr; }
     void updateShownFrame();
 
+    // document_ladder.cpp
+    void countLoops();
+    void takeOut(const std::shared_ptr<Ladder>& ladder);
+    void putBack(const Ladder& ladder);
+    void takeLadderStep(const std::shared_ptr<const fabric::ReducedFabric>& reduced,
+                        const std::vector<fabric::EntryIndex>& pairs);
+    std::vector<float> presentPlaces() const;
+    std::vector<float> placesOf(const std::vector<fabric::EntryIndex>& entries) const;
+    void showWhole(std::shared_ptr<const fabric::Fabric> fabric, std::vector<float> places);
+
     std::shared_ptr<const yarn::YarnLibrary> m_library;
     Opener m_opener;
     QString m_openingTitle;
     std::shared_ptr<const OpenedFile> m_file;
     std::shared_ptr<const OpenedFile> m_failed;
+    std::shared_ptr<const fabric::Fabric> m_whole; ///< of the whole program; less what has run
     std::vector<CarrierYarn> m_carriers;
     OperationIndex m_step = 0;
     Selection m_selection;
@@ -138,6 +168,11 @@ private:
     std::shared_ptr<const simulation::Frame> m_prefixFrame;
     SimulationBridge m_bridge;
     QString m_integrator;
+    LadderRunner m_ladders;
+    fabric::Runs m_runs; ///< of m_whole, or of the fabric before the ladder that runs
+    std::size_t m_loopsGone = 0;
+    bool m_stitchHolder = true;
+    bool m_restartAfterLadder = false;
     QUndoStack m_undo;
 };
 

@@ -6,6 +6,7 @@
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
 #include "ui/views/simulation_panel/activity_text.h"
+#include "ui/views/simulation_panel/ladder_text.h"
 #include "ui/views/source/source_view.h"
 #include "ui/views/step_player/step_player.h"
 #include "ui/views/style/appearance.h"
@@ -124,6 +125,9 @@ void MainWindow::connectDocument() {
     connect(&m_document, &Document::problemsChanged, this, &MainWindow::takeProblems);
     connect(&m_document, &Document::fabricShown, this, &MainWindow::takeFabric);
     connect(&m_document, &Document::activityChanged, this, &MainWindow::takeActions);
+    connect(&m_document, &Document::ladderChanged, this, &MainWindow::takeActions);
+    connect(&m_document, &Document::nothingRuns, this,
+            [this] { m_banner->showMessage(Banner::Kind::Note, nothingRunsText(m_document)); });
     connect(&m_document, &Document::activityChanged, this, [this] {
         const auto file = m_document.file();
         m_fabric->setAccessibleDescription(file ? tr("%1 columns, %2 courses, %3, %4 problems")
@@ -197,8 +201,8 @@ void MainWindow::takeFile() {
 void MainWindow::startSoon() {
     // The eye needs to see the fabric as the machine leaves it, else a small one is at rest before the first
     // picture.
-    QTimer::singleShot(kSettleDelayMs, this, [this, generation = m_document.generation()] {
-        if (generation == m_document.generation()) {
+    QTimer::singleShot(kSettleDelayMs, this, [this, file = std::weak_ptr(m_document.file())] {
+        if (file.lock() == m_document.file() && m_document.activity() == document::Activity::Machine) {
             m_document.start();
         }
     });
