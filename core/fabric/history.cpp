@@ -93,18 +93,22 @@ private:
     std::vector<HistoryEvent> m_events;
 };
 
+const BondingPoint& partnerOf(const Fabric& fabric, const BondingPoint& point) {
+    const Crossing& crossing = fabric.crossings[static_cast<std::size_t>(point.crossing)];
+    return fabric.points[static_cast<std::size_t>(point.front > 0 ? crossing.under : crossing.over)];
+}
+
 /// The passing at a crossing, as seen from one of its points.
 HistoryEvent crossingEvent(const Fabric& fabric, const machine::Timeline& timeline,
                            const BondingPoint& point) {
     const Crossing& crossing = fabric.crossings[static_cast<std::size_t>(point.crossing)];
-    const PointIndex partner = point.front > 0 ? crossing.under : crossing.over;
     const auto op = static_cast<std::size_t>(crossing.operation);
     return {.kind = Kind::Crossed,
             .operation = crossing.operation,
             .line = timeline.program().operations[op].line,
             .needle = point.needle,
             .rack = timeline.stateAfter(crossing.operation + 1).rack,
-            .others = {fabric.points[static_cast<std::size_t>(partner)].loop}};
+            .others = {partnerOf(fabric, point).loop}};
 }
 
 /// Feet and heads at one place: a loop pulled to the front lies in front of the heads it came through.
@@ -158,6 +162,7 @@ PointHistory pointHistory(const Fabric& fabric, const machine::Timeline& timelin
                          .carrier = fabric.made.loops[loop].carrier,
                          .course = fabric.loops[loop].course,
                          .inFront = -1,
+                         .partnerPiece = Piece::LeftLeg,
                          .events = loopHistory(timeline, p.loop, count)};
     if (p.role != Role::Crossing) {
         history.inFront = frontOfBond(fabric, p.entry);
@@ -165,6 +170,7 @@ PointHistory pointHistory(const Fabric& fabric, const machine::Timeline& timelin
     }
     const HistoryEvent crossed = crossingEvent(fabric, timeline, p);
     history.inFront = p.front > 0 ? p.loop : crossed.others.front();
+    history.partnerPiece = partnerOf(fabric, p).piece;
     const auto later = std::ranges::find_if(history.events, [&](const HistoryEvent& event) {
         return event.operation > crossed.operation || event.kind == Kind::Held;
     });

@@ -43,7 +43,8 @@ struct PointHistory {
     /// only. Where a loop is drawn through others: in front at the old heads; at the old legs, below, it is
     /// the other way round.
     LoopIndex inFront = -1;
-    std::vector<HistoryEvent> events; ///< in the order of time
+    Piece partnerPiece = Piece::LeftLeg; ///< Crossing: on which the other strand passes
+    std::vector<HistoryEvent> events;    ///< in the order of time
 };
 
 /// What happened to one loop in the first `count` operations (all when negative): made, every transfer,

@@ -48,6 +48,9 @@ Document::Document(QObject* parent) : QObject(parent), m_library(readLibrary()),
     }
     connect(&m_opener, &Opener::stageChanged, this, &Document::openingStage);
     connect(&m_opener, &Opener::finished, this, &Document::take);
+    // Points of another fabric have other numbers.
+    connect(this, &Document::fabricShown, this,
+            [this] { setPoint(m_point < 0 ? -1 : firstPointOf(m_selection.loop)); });
     connect(&m_bridge, &SimulationBridge::frameArrived, this, &Document::updateShownFrame);
     connect(&m_bridge, &SimulationBridge::stateChanged, this, &Document::activityChanged);
     connect(&m_ladders, &LadderRunner::stepped, this, &Document::takeLadderStep);
@@ -109,6 +112,7 @@ void Document::show(const std::shared_ptr<const OpenedFile>& file) {
     m_carriers = file->carriers;
     m_step = operationCount();
     m_selection = {};
+    m_point = -1;
     m_ladders.cancel();
     m_restartAfterLadder = false;
     m_undo.clear();
@@ -206,19 +210,55 @@ void Document::select(const Selection& selection) {
 void Document::selectLoop(LoopIndex loop) {
     select(m_file ? selectionOfLoop(m_file->timeline->program(), m_file->timeline->loops(), loop)
                   : Selection{});
+    setPoint(firstPointOf(m_selection.loop));
+}
+
+void Document::selectPoint(fabric::PointIndex point) {
+    const auto fabric = shownFabric();
+    if (!fabric || point < 0 || static_cast<std::size_t>(point) >= fabric->points.size()) {
+        clearSelection();
+        return;
+    }
+    selectLoop(fabric->points[static_cast<std::size_t>(point)].loop);
+    setPoint(point);
+}
+
+void Document::setPoint(fabric::PointIndex point) {
+    if (point >= 0 || m_point >= 0) {
+        m_point = point;
+        emit pointChanged();
+    }
+}
+
+/// -1 where the fabric shown has no such loop, or no longer.
+fabric::PointIndex Document::firstPointOf(LoopIndex loop) const {
+    const auto fabric = shownFabric();
+    const bool there = fabric && loop >= 0 && static_cast<std::size_t>(loop) < fabric->loops.size();
+    return there ? fabric->loops[static_cast<std::size_t>(loop)].headLeft : -1;
+}
+
+std::optional<fabric::PointHistory> Document::pointHistory() const {
+    if (m_point < 0) {
+        return std::nullopt;
+    }
+    const OperationIndex shown = showsPrefix() ? m_prefix->count : operationCount();
+    return fabric::pointHistory(*shownFabric(), *m_file->timeline, m_point, shown);
 }
 
 void Document::selectOperation(OperationIndex operation) {
+    setPoint(-1);
     select(m_file ? selectionOfOperation(m_file->timeline->program(), m_file->timeline->loops(), operation)
                   : Selection{});
 }
 
 void Document::selectLine(int line) {
+    setPoint(-1);
     select(m_file ? selectionOfLine(m_file->timeline->program(), m_file->timeline->loops(), line)
                   : Selection{});
 }
 
 void Document::clearSelection() {
+    setPoint(-1);
     select({});
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/fabric/history.h"
 #include "core/machine/timeline.h"
 #include "ui/document/ladder.h"
 #include "ui/document/opener.h"
@@ -11,6 +12,7 @@
 #include <QUndoStack>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace knittsim::document {
@@ -83,9 +85,15 @@ public:
 
     const Selection& selection() const { return m_selection; }
     void selectLoop(LoopIndex loop);
+    void selectPoint(fabric::PointIndex point); ///< of shownFabric(), with its loop; -1: nothing
     void selectOperation(OperationIndex operation);
     void selectLine(int line);
     void clearSelection();
+
+    /// The bonding point that was selected, alone or with its loop; -1 where none is, and after stepping.
+    fabric::PointIndex selectedPoint() const { return m_point; }
+    /// What happened to it up to the operation shown; nothing without one. Replays a part of the program.
+    std::optional<fabric::PointHistory> pointHistory() const;
 
     const std::vector<CarrierYarn>& carriers() const { return m_carriers; }
     /// Undoable. Keeps the shape and goes on from it; with the same body (machine::sameBody) physics is not
@@ -125,6 +133,7 @@ signals:
     void fabricShown(); ///< shownFabric() changed
     void frameShown();  ///< shownFrame() changed
     void selectionChanged();
+    void pointChanged(); ///< selectedPoint() or its history
     void yarnsChanged();
     void activityChanged();
     void integratorChanged();
@@ -140,6 +149,8 @@ private:
     void take(const std::shared_ptr<const OpenedFile>& file);
     void show(const std::shared_ptr<const OpenedFile>& file);
     void select(const Selection& selection);
+    void setPoint(fabric::PointIndex point);
+    fabric::PointIndex firstPointOf(LoopIndex loop) const;
     void applyYarn(int carrier, const yarn::Yarn& yarn);
     bool showsPrefix() const { return m_prefix != nullptr; }
     void updateShownFrame();
@@ -163,6 +174,7 @@ private:
     std::vector<CarrierYarn> m_carriers;
     OperationIndex m_step = 0;
     Selection m_selection;
+    fabric::PointIndex m_point = -1; ///< of shownFabric()
     PrefixBuilder m_prefixes;
     std::shared_ptr<const PrefixFabric> m_prefix; ///< null when the whole fabric is shown
     std::shared_ptr<const simulation::Frame> m_prefixFrame;

@@ -25,10 +25,6 @@ constexpr int kOwnerUnit = 2;
 constexpr int kStateUnit = 3;
 constexpr int kNoiseUnit = 4;
 
-constexpr float kMarkerMm = 0.3F; ///< bonding points of the mesh, and the limits of their size in pixels
-constexpr float kLeastMarker = 4.0F;
-constexpr float kMostMarker = 14.0F;
-
 enum State : std::uint8_t { Plain, Selected, Hovered };
 
 Vec3f shown(yarn::Colour c) {
@@ -415,7 +411,7 @@ void FabricRenderer::Implementation::drawMarkers(const View& view) const {
     const auto [lower, upper] = lowerAndUpper(view.dark);
     setCamera(program, view);
     const float perPixel = millimetresPerPixel(view);
-    const float size = std::clamp(kMarkerMm / perPixel, kLeastMarker, kMostMarker);
+    const float size = std::clamp(kMarkerMm / perPixel, kLeastMarkerPixels, kMostMarkerPixels);
     program.set("uSize", size);
     program.set("uLift", 0.5F * size * perPixel);
     program.set("uFoot", shown(colours.foot));

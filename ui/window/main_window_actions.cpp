@@ -4,6 +4,7 @@
 #include "ui/views/diagnostics/diagnostics_list.h"
 #include "ui/views/diagnostics/diagnostics_model.h"
 #include "ui/views/fabric_view/fabric_view.h"
+#include "ui/views/history/history_card.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
 #include "ui/views/simulation_panel/ladder_text.h"
 #include "ui/views/simulation_panel/simulation_panel.h"
@@ -163,6 +164,12 @@ void MainWindow::buildViewMenu() {
               [this] { m_fabric->setStyle(DrawStyle::Strokes); });
     addChoice(menu, styles, "actionStyleMesh", tr("Bonding points and &mesh"), Qt::ALT | Qt::Key_3,
               "style-mesh", [this] { m_fabric->setStyle(DrawStyle::Mesh); });
+    QAction* legend =
+        addChoice(menu, nullptr, "actionLegend", tr("Legend of the &mesh"), Qt::ALT | Qt::Key_4, {}, [] {});
+    connect(legend, &QAction::toggled, this, [this](bool on) { m_fabric->setLegend(on); });
+    QAction* history = addChoice(menu, nullptr, "actionHistory", tr("H&istory of the selected bonding point"),
+                                 Qt::Key_H, {}, [] {});
+    connect(history, &QAction::toggled, this, [this](bool on) { m_history->setSwitchedOn(on); });
     menu->addSeparator();
     QMenu* appearance = menu->addMenu(tr("&Appearance"));
     auto* looks = new QActionGroup(this);
@@ -360,6 +367,8 @@ void MainWindow::takeActions() {
                         : style == DrawStyle::Strokes ? QStringLiteral("actionStyleStrokes")
                                                       : QStringLiteral("actionStyleMesh"))
         ->setChecked(true);
+    findChild<QAction*>(QStringLiteral("actionLegend"))->setChecked(m_fabric->hasLegend());
+    findChild<QAction*>(QStringLiteral("actionHistory"))->setChecked(m_history->isSwitchedOn());
     findChild<QAction*>(QStringLiteral("actionOrthographic"))->setChecked(m_fabric->isOrthographic());
     const auto count = m_document.problems().size();
     const bool errors = hasErrors(m_document.problems());

@@ -125,6 +125,8 @@ TEST(PointHistory, BothStrandsOfACrossingNameEachOtherAndWhoIsInFront) {
         EXPECT_EQ(over.inFront, over.loop);
         EXPECT_EQ(under.inFront, over.loop);
         EXPECT_NE(over.loop, under.loop);
+        EXPECT_EQ(over.partnerPiece, under.piece);
+        EXPECT_EQ(under.partnerPiece, over.piece);
         for (const PointHistory* side : {&over, &under}) {
             const auto crossed = std::ranges::find(side->events, Kind::Crossed, &HistoryEvent::kind);
             ASSERT_NE(crossed, side->events.end());
