@@ -31,7 +31,7 @@ struct ReducedFabric {
 
 /// Takes the loops of the first `steps` steps out (all when negative). A yarn then runs straight past a
 /// removed loop, as the rung of a ladder; the yarn of the loop itself goes in equal parts to the neighbouring
-/// loops of its yarn (section 5).
+/// loops of its yarn (section 5), where it hangs slack.
 ReducedFabric removeRuns(const Fabric& fabric, const Runs& runs, int steps = -1);
 
 /// Two reductions of one fabric, `more` with all that `less` took out and more: by entry of `more` the entry
