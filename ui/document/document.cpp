@@ -124,6 +124,7 @@ void Document::show(const std::shared_ptr<const OpenedFile>& file) {
     emit yarnsChanged();
     emit stepChanged();
     emit selectionChanged();
+    emit pointChanged();
     emit fabricShown();
     emit ladderChanged();
 }

@@ -85,9 +85,9 @@ private:
 
     QString crossed(const HistoryEvent& event) const {
         const LoopIndex other = event.others.front();
-        const QString pattern = m_history.inFront == m_history.loop ? tr("Passes in front of %1 of %2: %3")
-                                                                    : tr("Passes behind %1 of %2: %3");
-        return pattern.arg(partner(), loop(other), operation(event));
+        const QString pattern = m_history.inFront == m_history.loop ? tr("Crossed: %1; in front of %2 of %3")
+                                                                    : tr("Crossed: %1; behind %2 of %3");
+        return pattern.arg(operation(event), partner(), loop(other));
     }
 
     QString partner() const {

@@ -20,9 +20,9 @@ struct MeshColours {
 MeshColours meshColours(bool dark);
 
 /// Width of a bonding point in the bare mesh, and its limits on the screen.
-constexpr float kMarkerMm = 0.3F;
+constexpr float kMarkerMm = 0.25F;
 constexpr float kLeastMarkerPixels = 4;
-constexpr float kMostMarkerPixels = 14;
+constexpr float kMostMarkerPixels = 12;
 
 /// What the renderer needs to know of a yarn. Plain value.
 struct YarnLook {

@@ -157,7 +157,7 @@ void MainWindow::connectDocument() {
 void MainWindow::connectFabric() {
     using document::Document;
     connect(&m_document, &Document::frameShown, this, [this] {
-        m_fabric->setFollowing(m_document.step() == m_document.operationCount());
+        m_fabric->setFollowing(m_document.step() == m_document.operationCount() && !m_document.laddersRun());
         m_fabric->setFrame(m_document.shownFrame());
         m_status->setRenderer(m_fabric->hasOpenGl() ? m_fabric->rendererName() : tr("Qt, flat"));
     });

@@ -135,6 +135,14 @@ private slots:
         QVERIFY2(!card->isVisible(), "stepping says in words what happens already");
     }
 
+    void anotherFileClosesTheCard() {
+        openSample("plain");
+        document().selectLoop(75);
+        QVERIFY(child<HistoryCard>("historyCard")->isVisible());
+        openSample("garter");
+        QVERIFY(!child<HistoryCard>("historyCard")->isVisible());
+    }
+
     void theCardIsSwitchedOff() {
         openSample("plain");
         auto* card = child<HistoryCard>("historyCard");

@@ -1,5 +1,8 @@
+#include "core/fabric/fabric_builder.h"
+#include "core/fabric/reduction.h"
 #include "tests/support/build.h"
 #include "tests/support/lattice.h"
+#include "tests/support/random_program.h"
 #include "ui/render/camera.h"
 #include "ui/render/scene_picking.h"
 #include "ui/render/scene_worker.h"
@@ -7,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <semaphore>
 
 namespace knittsim::render {
@@ -76,6 +80,26 @@ TEST(FabricScene, aCrossingTellsTheWayOfBothStrands) {
     EXPECT_EQ(countOf(Marker::Crossing), 4);
     EXPECT_EQ(countOf(Marker::Bond), 8) << "twice two loops drawn through two";
     EXPECT_EQ(countOf(Marker::OpenHead), 4) << "two loops on the needles";
+}
+
+TEST(FabricScene, aFabricWithLaddersIsDrawnInEveryStyle) {
+    for (const unsigned seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+        const machine::Timeline machine(test::randomProgram({.seed = seed, .operations = 800}),
+                                        machine::genericProfile());
+        const fabric::Fabric whole = fabric::buildFabric(machine);
+        for (const bool holder : {true, false}) {
+            const auto reduced = fabric::removeRuns(whole, fabric::findRuns(whole, {.stitchHolder = holder}));
+            const auto left = std::make_shared<fabric::Fabric>(reduced.fabric);
+            for (const DrawStyle style : {DrawStyle::Yarn, DrawStyle::Mesh}) {
+                FabricScene scene(left, {}, style);
+                const auto frame = scene.prepare({});
+                EXPECT_EQ(frame->markers.empty(), style == DrawStyle::Yarn || left->entryCount == 0);
+                for (const auto& node : frame->nodes) {
+                    ASSERT_TRUE(std::ranges::all_of(node, [](float v) { return std::isfinite(v); }));
+                }
+            }
+        }
+    }
 }
 
 TEST(FabricScene, piecesCoverEachSegmentOnceAndHoldTheirNodes) {
