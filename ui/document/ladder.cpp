@@ -67,21 +67,22 @@ void LadderRunner::makeNext() {
     }
     m_busy = true;
     QThreadPool::globalInstance()->start([this, before = m_ladder->before, runs = m_ladder->runs,
-                                          steps = stepWanted(), generation = m_generation,
+                                          steps = stepWanted(), told = m_told, generation = m_generation,
                                           mailbox = m_mailbox] {
         auto reduced = std::make_shared<fabric::ReducedFabric>(fabric::removeRuns(*before, runs, steps));
-        mailbox->post([this, reduced, steps, generation] {
+        auto pairs = told ? fabric::pairEntries(*reduced, *told) : reduced->entryBefore;
+        mailbox->post([this, reduced, pairs = std::move(pairs), steps, generation] {
             m_busy = false;
             if (generation == m_generation) {
-                take(reduced, steps);
+                take(reduced, pairs, steps);
             }
             makeNext();
         });
     });
 }
 
-void LadderRunner::take(const std::shared_ptr<const fabric::ReducedFabric>& reduced, int steps) {
-    const auto pairs = m_told ? fabric::pairEntries(*reduced, *m_told) : reduced->entryBefore;
+void LadderRunner::take(const std::shared_ptr<const fabric::ReducedFabric>& reduced,
+                        const std::vector<fabric::EntryIndex>& pairs, int steps) {
     const auto& all = m_ladder->runs.steps;
     for (auto s = static_cast<std::size_t>(m_stepsTold); s < static_cast<std::size_t>(steps); ++s) {
         m_loopsRun += all[s].size();

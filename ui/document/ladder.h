@@ -50,7 +50,8 @@ signals:
 private:
     int stepWanted() const;
     void makeNext();
-    void take(const std::shared_ptr<const fabric::ReducedFabric>& reduced, int steps);
+    void take(const std::shared_ptr<const fabric::ReducedFabric>& reduced,
+              const std::vector<fabric::EntryIndex>& pairs, int steps);
 
     std::shared_ptr<Mailbox> m_mailbox;
     std::shared_ptr<Ladder> m_ladder;                    ///< null while none runs

@@ -182,6 +182,20 @@ private slots:
         QVERIFY(!document().pointHistory());
     }
 
+    void nothingLeftCannotBeClicked() {
+        openWithDrops();
+        settle();
+        document().setStitchHolder(false);
+        press(Qt::Key_L, Qt::ControlModifier);
+        press(Qt::Key_L, Qt::ControlModifier);
+        QTRY_COMPARE(document().removedLoops(), std::size_t{120});
+        auto* fabric = child<FabricView>("fabricView");
+        QSignalSpy clicked(fabric, &FabricView::pointClicked);
+        const QPoint middle = fabric->rect().center();
+        QTest::mouseClick(fabric, Qt::LeftButton, {}, middle);
+        QCOMPARE(clicked.last().front().toInt(), -1);
+    }
+
     void theLegendIsSwitchedWithItsKey() {
         openSample("plain");
         auto* fabric = child<FabricView>("fabricView");

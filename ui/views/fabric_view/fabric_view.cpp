@@ -159,7 +159,11 @@ void FabricView::Implementation::takePicture() {
 }
 
 void FabricView::Implementation::changed() {
-    overlay->setMessage(hasGl ? (content.scene ? QString() : tr("No fabric yet")) : glReason);
+    const bool allHasRun = shownFabric && shownFabric->points.empty() && !shownFabric->loops.empty();
+    overlay->setMessage(allHasRun                  ? tr("All of the fabric has run")
+                        : !hasGl                   ? glReason
+                        : content.scene == nullptr ? tr("No fabric yet")
+                                                   : QString());
     canvas->refresh();
 }
 

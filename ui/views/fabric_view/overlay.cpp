@@ -93,7 +93,7 @@ void Overlay::paintLegend(QPainter& painter) const {
     };
     const std::array rows{Row{render::Marker::Bond, tr("foot in a head: a loop drawn through")},
                           Row{render::Marker::OpenHead, tr("head, nothing through it")},
-                          Row{render::Marker::Crossing, tr("crossing: what goes on lies in front")}};
+                          Row{render::Marker::Crossing, tr("crossing: the unbroken yarn lies in front")}};
     constexpr int kSymbol = 34;
     const int height = fontMetrics().height() + 4;
     int width = 0;
@@ -181,7 +181,8 @@ void Overlay::paintMessage(QPainter& painter) const {
         return;
     }
     const QRect area = rect().adjusted(2 * kMargin, kMargin, -kMargin, -kMargin);
-    const int where = m_content.scene ? Qt::AlignTop | Qt::AlignRight : Qt::AlignCenter;
+    const bool something = m_content.scene && !m_content.scene->bounds.empty();
+    const int where = something ? Qt::AlignTop | Qt::AlignRight : Qt::AlignCenter;
     const QRect text = fontMetrics().boundingRect(area, where | Qt::TextWordWrap, m_message);
     painter.setPen(Qt::NoPen);
     painter.setBrush(ground());

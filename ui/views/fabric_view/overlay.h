@@ -14,7 +14,7 @@ class Overlay : public QWidget {
 public:
     Overlay(QWidget* parent, const CanvasContent& content);
 
-    /// Shown in the middle while there is no fabric, and as a note above the scale bar.
+    /// Shown in the middle while there is nothing to see, and as a note above the scale bar.
     void setMessage(const QString& message);
 
     /// "technical face", "technical back", or empty when the fabric is seen from the side.
