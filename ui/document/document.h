@@ -81,7 +81,7 @@ public:
     /// Shows the end of the program and takes the unstable loops out of the whole fabric, course by course;
     /// physics goes on from the present shape. Undoable in one step. While they run: takes all out at once.
     void removeLadders();
-    void cancelLadders(); ///< while they run: puts back what has run so far
+    void cancelLadders(); ///< while they run: undone, unless something else was done since
 
     const Selection& selection() const { return m_selection; }
     void selectLoop(LoopIndex loop);

@@ -55,8 +55,14 @@ void Document::removeLadders() {
 }
 
 void Document::cancelLadders() {
-    if (m_ladders.running()) {
+    if (!m_ladders.running()) {
+        return;
+    }
+    const bool last = dynamic_cast<const LadderCommand*>(m_undo.command(m_undo.index() - 1)) != nullptr;
+    if (last) {
         m_undo.undo();
+    } else {
+        m_ladders.finish(); // something was done since, which is not to be undone with it
     }
 }
 

@@ -133,6 +133,20 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(m_document->removedLoops(), std::size_t{8}, 8000);
     }
 
+    void cancellingUndoesNothingElse() {
+        open(swatch(8, true));
+        m_document->removeLadders();
+        yarn::Yarn other = m_document->library().yarns().front();
+        other.colour = {1, 2, 3};
+        m_document->assignYarn(0, other);
+        m_document->cancelLadders();
+        QCOMPARE(m_document->carriers()[0].yarn, other);
+        QTRY_COMPARE(m_document->removedLoops(), std::size_t{8});
+        m_document->undoStack()->undo();
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->shownFabric() == m_document->file()->fabric);
+    }
+
     void aRunIsSkipped() {
         open(swatch(8, true));
         QElapsedTimer time;
