@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/load.h"
 #include "core/fabric/fabric_builder.h"
+#include "core/fabric/reduction.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -56,6 +57,7 @@ nlohmann::ordered_json summarise(const machine::Timeline& timeline, const fabric
             {"bonding_points", fabric.points.size()},
             {"table_entries", fabric.entryCount},
             {"crossings", fabric.crossings.size()},
+            {"unstable_loops", fabric::findRuns(fabric).loopCount()},
             {"yarn_length_mm", yarnLength},
             {"problems", timeline.diagnostics().size()}};
 }
@@ -80,7 +82,8 @@ void printText(const nlohmann::ordered_json& info) {
     fmt::print("  carriers        {}\n", carriers);
     fmt::print("  needles         {} (front {}, rear {})\n", info["needles"].dump(),
                info["front_needles"].dump(), info["rear_needles"].dump());
-    for (const char* key : {"courses", "loops", "bonding_points", "table_entries", "crossings"}) {
+    for (const char* key :
+         {"courses", "loops", "bonding_points", "table_entries", "crossings", "unstable_loops"}) {
         std::string name = key;
         std::ranges::replace(name, '_', ' ');
         fmt::print("  {:<16}{}\n", name, info[key].dump());

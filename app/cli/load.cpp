@@ -3,6 +3,7 @@
 #include "core/base/message_table.h"
 #include "core/base/resources.h"
 #include "core/fabric/fabric_builder.h"
+#include "core/fabric/reduction.h"
 #include "core/formats/formats.h"
 #include "core/machine/carrier_yarns.h"
 #include "core/machine/choose_profile.h"
@@ -50,7 +51,26 @@ bool assignYarn(const std::string& assignment, const machine::Program& program,
     return true;
 }
 
+void reduce(const LoadOptions& options, Loaded& loaded) {
+    const fabric::Runs runs = fabric::findRuns(*loaded.fabric, {.stitchHolder = !options.noStitchHolder});
+    loaded.removedLoops = runs.loopCount();
+    auto reduced = std::make_shared<fabric::Fabric>(fabric::removeRuns(*loaded.fabric, runs).fabric);
+    if (reduced->points.empty() && !loaded.fabric->points.empty()) {
+        fmt::print(stderr, "--reduce: nothing holds this fabric; all of it has run\n");
+    }
+    loaded.fabric = std::move(reduced);
+}
+
 } // namespace
+
+void addReduction(CLI::App& command, LoadOptions& options) {
+    CLI::Option* reduce =
+        command.add_flag("--reduce", options.reduce, "first take out the loops that nothing holds (ladders)");
+    command
+        .add_flag("--no-stitch-holder", options.noStitchHolder,
+                  "with --reduce: loops left on needles run as well")
+        ->needs(reduce);
+}
 
 std::shared_ptr<const machine::Timeline> loadTimeline(const LoadOptions& options) {
     auto program = formats::readProgram(options.file);
@@ -90,6 +110,9 @@ std::optional<Loaded> load(const LoadOptions& options) {
         }
     }
     loaded.fabric = std::make_shared<fabric::Fabric>(fabric::buildFabric(*loaded.timeline, options.step));
+    if (options.reduce) {
+        reduce(options, loaded);
+    }
     return loaded;
 }
 

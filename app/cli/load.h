@@ -4,6 +4,9 @@
 #include "core/machine/timeline.h"
 #include "core/yarn/yarn.h"
 
+#include <CLI/App.hpp>
+
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,13 +20,19 @@ struct LoadOptions {
     std::vector<std::string> yarns; ///< CARRIER=ID
     double loopLengthMm = 0;        ///< overrides every stitch size when positive
     int step = -1;                  ///< operations to carry out; all when negative
+    bool reduce = false;            ///< takes out the loops that nothing holds
+    bool noStitchHolder = false;    ///< with reduce: loops left on needles run as well
 };
 
 struct Loaded {
     std::shared_ptr<const machine::Timeline> timeline;
     std::shared_ptr<const fabric::Fabric> fabric;
     std::vector<yarn::Yarn> yarns; ///< by carrier
+    std::size_t removedLoops = 0;  ///< by LoadOptions::reduce
 };
+
+/// --reduce and --no-stitch-holder.
+void addReduction(CLI::App& command, LoadOptions& options);
 
 /// Prints diagnostics to stderr. Returns nothing when the file or an option cannot be used.
 std::shared_ptr<const machine::Timeline> loadTimeline(const LoadOptions& options);

@@ -94,7 +94,8 @@ nlohmann::ordered_json report(const Loaded& loaded, const simulation::Frame& fra
             {"yarn_diameter_mm", length > 0 ? diameter / length : 0},
             {"mass_g", mass},
             {"potential_energy_uj", frame.energies.potential},
-            {"loops", loaded.fabric->loops.size()},
+            {"loops", loaded.fabric->loops.size() - loaded.removedLoops},
+            {"removed_loops", loaded.removedLoops},
             {"bonding_points", loaded.fabric->points.size()},
             {"table_entries", loaded.fabric->entryCount},
             {"crossings", loaded.fabric->crossings.size()},
@@ -113,6 +114,9 @@ void printText(const nlohmann::ordered_json& r) {
     fmt::print("  wale spacing {:.3f} mm, course spacing {:.3f} mm, loop length {:.2f} mm, mass {:.2f} g\n",
                number("wale_spacing_mm"), number("course_spacing_mm"), number("loop_length_mm"),
                number("mass_g"));
+    if (r["removed_loops"].get<std::size_t>() > 0) {
+        fmt::print("  {} loops have run and were taken out\n", r["removed_loops"].get<std::size_t>());
+    }
 }
 
 bool writeState(const std::string& path, const Loaded& loaded, const simulation::Frame& frame) {
@@ -184,6 +188,7 @@ void addRelax(CLI::App& app, Command& chosen) {
     command->add_option("--yarn", options->load.yarns, "CARRIER=ID: yarn of a carrier, from the library");
     command->add_option("--loop-length", options->load.loopLengthMm, "MM of yarn in every loop")
         ->check(CLI::Range(0.1, 200.0));
+    addReduction(*command, options->load);
     command->add_option("--until", options->until, "relative residual to reach")
         ->check(CLI::Range(1e-12, 1.0))
         ->capture_default_str();

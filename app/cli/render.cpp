@@ -112,6 +112,7 @@ void addRender(CLI::App& app, Command& chosen) {
     command->add_option("--yarn", options->load.yarns, "CARRIER=ID: yarn of a carrier, from the library");
     command->add_option("--loop-length", options->load.loopLengthMm, "MM of yarn in every loop")
         ->check(CLI::Range(0.1, 200.0));
+    addReduction(*command, options->load);
     command->add_flag("--dark", options->dark, "dark background");
     command->add_flag("--transparent", options->transparent, "no background");
     command->callback([&chosen, options] { chosen = [options] { return runRender(*options); }; });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
 
 namespace knittsim::fabric {
@@ -228,8 +229,12 @@ std::size_t Runs::loopCount() const {
 }
 
 Runs findRuns(const Fabric& fabric, const ReductionOptions& options) {
+    const auto isThere = [&](std::size_t loop) { return fabric.loops[loop].headLeft >= 0; };
     std::vector<std::int32_t> holders(fabric.loops.size(), 0); // loops drawn through it that are still there
     for (std::size_t i = 0; i < fabric.loops.size(); ++i) {
+        if (!isThere(i)) {
+            continue;
+        }
         for (const LoopIndex parent : fabric.made.parentsOf(static_cast<LoopIndex>(i))) {
             ++holders[static_cast<std::size_t>(parent)];
         }
@@ -238,7 +243,7 @@ Runs findRuns(const Fabric& fabric, const ReductionOptions& options) {
     Runs runs;
     std::vector<LoopIndex> step;
     for (std::size_t i = 0; i < holders.size(); ++i) {
-        if (holders[i] == 0 && fabric.loops[i].headLeft >= 0) {
+        if (holders[i] == 0 && isThere(i)) {
             step.push_back(static_cast<LoopIndex>(i));
         }
     }
@@ -260,6 +265,29 @@ Runs findRuns(const Fabric& fabric, const ReductionOptions& options) {
 ReducedFabric removeRuns(const Fabric& fabric, const Runs& runs, int steps) {
     const std::size_t wanted = steps < 0 ? runs.steps.size() : static_cast<std::size_t>(steps);
     return Remover(fabric, planRemoval(fabric, runs, wanted)).run();
+}
+
+std::vector<EntryIndex> pairEntries(const ReducedFabric& more, const ReducedFabric& less) {
+    std::vector<EntryIndex> pairs;
+    pairs.reserve(more.entryBefore.size());
+    std::unordered_map<EntryIndex, EntryIndex> known;
+    for (std::size_t e = 0; e < less.entryBefore.size(); ++e) {
+        known.emplace(less.entryBefore[e], static_cast<EntryIndex>(e));
+    }
+    for (const EntryIndex before : more.entryBefore) {
+        pairs.push_back(known.at(before));
+    }
+    return pairs;
+}
+
+std::vector<float> pickPositions(std::span<const EntryIndex> entries, std::span<const float> positions) {
+    std::vector<float> picked;
+    picked.reserve(entries.size() * 3);
+    for (const EntryIndex entry : entries) {
+        const auto place = positions.subspan(3 * static_cast<std::size_t>(entry), 3);
+        picked.insert(picked.end(), place.begin(), place.end());
+    }
+    return picked;
 }
 
 } // namespace knittsim::fabric

@@ -2,6 +2,7 @@
 
 #include "core/fabric/fabric.h"
 
+#include <span>
 #include <vector>
 
 namespace knittsim::fabric {
@@ -20,7 +21,7 @@ struct Runs {
 };
 
 /// A loop holds while it hangs on a needle or a loop that holds is drawn through it. Meissner & Eberhardt
-/// 1998, section 4.
+/// 1998, section 4. Of a fabric that is partly reduced already: the runs that go on from there.
 Runs findRuns(const Fabric& fabric, const ReductionOptions& options = {});
 
 struct ReducedFabric {
@@ -30,7 +31,14 @@ struct ReducedFabric {
 
 /// Takes the loops of the first `steps` steps out (all when negative). A yarn then runs straight past a
 /// removed loop, as the rung of a ladder; the yarn of the loop itself goes in equal parts to the neighbouring
-/// loops of its yarn (section 5).
+/// loops of its yarn (section 5), where it hangs slack.
 ReducedFabric removeRuns(const Fabric& fabric, const Runs& runs, int steps = -1);
+
+/// Two reductions of one fabric, `more` with all that `less` took out and more: by entry of `more` the entry
+/// of `less`.
+std::vector<EntryIndex> pairEntries(const ReducedFabric& more, const ReducedFabric& less);
+
+/// Positions (3 per entry) of other entries: those of `entries`, one after the other.
+std::vector<float> pickPositions(std::span<const EntryIndex> entries, std::span<const float> positions);
 
 } // namespace knittsim::fabric

@@ -89,7 +89,8 @@ private:
     int wale(LoopIndex loop) const { return m_wale[static_cast<std::size_t>(loop)]; }
 
     bool inside(LoopIndex loop) const {
-        return wale(loop) >= m_region.firstWale && wale(loop) <= m_region.lastWale &&
+        const bool there = m_fabric.loops[static_cast<std::size_t>(loop)].headLeft >= 0; // not run down
+        return there && wale(loop) >= m_region.firstWale && wale(loop) <= m_region.lastWale &&
                course(loop) >= m_region.firstCourse && course(loop) <= m_region.lastCourse;
     }
 

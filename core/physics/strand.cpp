@@ -52,13 +52,19 @@ int faceChanges(const Fabric& f, const BondingPoint& foot, PointIndex footPoint,
            (above >= 0 && faceOf(f, above) != face ? 1 : 0);
 }
 
+/// Length of a piece of a loop as it was knitted, whatever share of its loop that is. What it took over from
+/// a ladder (core/fabric/reduction.h) hangs slack: it makes the arcs rounder and pushes nothing apart.
+double withoutSlack(const Fabric& f, const Strand& s, double share) {
+    return std::min(s.length, share * madeOf(f, pointOf(f, s.first).loop).lengthMm);
+}
+
 double legRest(const Fabric& f, const Strand& s) {
     const bool up = pointOf(f, s.first).role == Role::Foot;
     const PointIndex foot = up ? s.first : s.last;
     const PointIndex head = up ? s.last : s.first;
     const int changes = faceChanges(f, pointOf(f, foot), foot, head);
     const double shrink = changes == 0 ? 1.0 : changes == 1 ? kLegOneFaceChange : kLegTwoFaceChanges;
-    return kLegChord * shrink * s.length;
+    return kLegChord * shrink * withoutSlack(f, s, fabric::kLegShare);
 }
 
 /// A float turns into its loops with the arcs of a sinker and is straight between them. At the edge, where
@@ -79,6 +85,8 @@ void measure(const Fabric& f, Strand& s) {
     s.arc = s.length;
     switch (s.kind) {
     case Strand::Kind::Head:
+        s.rest = kArcChord * withoutSlack(f, s, fabric::kHeadShare);
+        break;
     case Strand::Kind::Sinker:
         s.rest = kArcChord * s.length;
         break;

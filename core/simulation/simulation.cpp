@@ -136,26 +136,53 @@ struct Simulation::Implementation {
         measure();
     }
 
-    void on(const command::Load& c) {
-        fabric = c.fabric;
-        yarns = c.yarns;
+    /// Another fabric; pins and pulls of the one before mean nothing to it.
+    void take(std::shared_ptr<const fabric::Fabric> next) {
+        fabric = std::move(next);
         pins.clear();
         drag.reset();
-        if (!fabric) {
+        buildNet();
+    }
+
+    /// Positions of a command where they fit the fabric, else those of the machine.
+    physics::Vector startFrom(const std::vector<float>& given) const {
+        physics::Vector positions = physics::machinePositions(*fabric);
+        if (static_cast<Eigen::Index>(given.size()) == positions.size()) {
+            const physics::Vector wanted =
+                Eigen::Map<const Eigen::VectorXf>(given.data(), positions.size()).cast<double>();
+            if (wanted.allFinite()) {
+                positions = wanted;
+            }
+        }
+        return positions;
+    }
+
+    void on(const command::Load& c) {
+        yarns = c.yarns;
+        if (!c.fabric) {
+            fabric.reset();
             generation = c.generation;
             halt(State::Empty, StopReason::None);
             return;
         }
-        buildNet();
-        physics::Vector positions = physics::machinePositions(*fabric);
-        if (static_cast<Eigen::Index>(c.positions.size()) == positions.size()) {
-            const physics::Vector given =
-                Eigen::Map<const Eigen::VectorXf>(c.positions.data(), positions.size()).cast<double>();
-            if (given.allFinite()) {
-                positions = given;
-            }
+        take(c.fabric);
+        begin(startFrom(c.positions), c.generation);
+    }
+
+    void on(const command::Replace& c) {
+        if (!loaded() || !c.fabric) {
+            on(command::Load{c.fabric, yarns, c.positions, c.generation});
+            return;
         }
-        begin(std::move(positions), c.generation);
+        take(c.fabric);
+        motion.positions = startFrom(c.positions);
+        motion.velocities.setZero(motion.positions.size());
+        generation = c.generation;
+        measure();
+        if (state == State::Failed) {
+            run(); // what failed was another fabric
+        }
+        wake();
     }
 
     void on(const command::Start&) {

@@ -23,6 +23,13 @@ struct Load {
     std::vector<float> positions{};
     std::uint64_t generation = 0; ///< given to the frames that follow; must rise
 };
+/// Goes on with another fabric, for example with a ladder taken out: state, steps and time run on; one at
+/// rest moves again. Positions as for Load. Like Load when there is nothing to go on from.
+struct Replace {
+    std::shared_ptr<const fabric::Fabric> fabric;
+    std::vector<float> positions{};
+    std::uint64_t generation = 0; ///< given to the frames that follow; must rise
+};
 struct Start {};
 struct Pause {};
 struct Step {};  ///< one integrator step (by the next advance), then paused
@@ -53,9 +60,9 @@ struct Pin { ///< holds an entry where it is, or frees it
 
 } // namespace command
 
-using Command = std::variant<command::Load, command::Start, command::Pause, command::Step, command::Restart,
-                             command::Stop, command::SetIntegrator, command::SetYarn, command::SetResidual,
-                             command::Drag, command::Release, command::Pin>;
+using Command = std::variant<command::Load, command::Replace, command::Start, command::Pause, command::Step,
+                             command::Restart, command::Stop, command::SetIntegrator, command::SetYarn,
+                             command::SetResidual, command::Drag, command::Release, command::Pin>;
 
 /// What can settle the fabric. The first one is the default.
 struct IntegratorInfo {

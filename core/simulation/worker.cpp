@@ -19,6 +19,7 @@ constexpr std::chrono::milliseconds kFrameInterval{16};
 /// (a person dragging) would never let a step be finished.
 bool interrupts(const Command& command) {
     return std::holds_alternative<command::Load>(command) ||
+           std::holds_alternative<command::Replace>(command) ||
            std::holds_alternative<command::Pause>(command) ||
            std::holds_alternative<command::Restart>(command) ||
            std::holds_alternative<command::Stop>(command) ||
@@ -110,6 +111,7 @@ struct Worker::Implementation {
 
     void tellCommand(const Command& command, State before, const Simulation& simulation) {
         if (std::holds_alternative<command::Load>(command) ||
+            std::holds_alternative<command::Replace>(command) ||
             std::holds_alternative<command::Restart>(command)) {
             add(Event::Kind::Loaded, simulation);
         } else if (std::holds_alternative<command::SetIntegrator>(command)) {

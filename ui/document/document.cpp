@@ -48,8 +48,12 @@ Document::Document(QObject* parent) : QObject(parent), m_library(readLibrary()),
     }
     connect(&m_opener, &Opener::stageChanged, this, &Document::openingStage);
     connect(&m_opener, &Opener::finished, this, &Document::take);
+    // Points of another fabric have other numbers.
+    connect(this, &Document::fabricShown, this,
+            [this] { setPoint(m_point < 0 ? -1 : firstPointOf(m_selection.loop)); });
     connect(&m_bridge, &SimulationBridge::frameArrived, this, &Document::updateShownFrame);
     connect(&m_bridge, &SimulationBridge::stateChanged, this, &Document::activityChanged);
+    connect(&m_ladders, &LadderRunner::stepped, this, &Document::takeLadderStep);
     connect(&m_prefixes, &PrefixBuilder::built, this,
             [this](const std::shared_ptr<const PrefixFabric>& prefix) {
                 m_prefix = prefix;
@@ -98,7 +102,8 @@ void Document::take(const std::shared_ptr<const OpenedFile>& file) {
 
 void Document::show(const std::shared_ptr<const OpenedFile>& file) {
     // A large file takes a while to free; the window need not wait for it.
-    QThreadPool::globalInstance()->start([old = std::move(m_file), prefix = std::move(m_prefix)] {});
+    QThreadPool::globalInstance()->start(
+        [old = std::move(m_file), prefix = std::move(m_prefix), whole = std::move(m_whole)] {});
     m_file = file;
     m_failed.reset();
     m_prefixes.cancel();
@@ -107,14 +112,21 @@ void Document::show(const std::shared_ptr<const OpenedFile>& file) {
     m_carriers = file->carriers;
     m_step = operationCount();
     m_selection = {};
+    m_point = -1;
+    m_ladders.cancel();
+    m_restartAfterLadder = false;
     m_undo.clear();
+    m_whole = file->fabric;
+    countLoops();
     m_bridge.load(file->fabric, yarnsOf(m_carriers));
     emit generationChanged();
     emit opened();
     emit yarnsChanged();
     emit stepChanged();
     emit selectionChanged();
+    emit pointChanged();
     emit fabricShown();
+    emit ladderChanged();
 }
 
 const Diagnostics& Document::problems() const {
@@ -139,7 +151,8 @@ void Document::setStep(OperationIndex count) {
         emit fabricShown();
         updateShownFrame();
     } else {
-        m_prefixes.request(m_file->timeline, m_file->fabric, step);
+        m_ladders.finish(); // it runs out of sight
+        m_prefixes.request(m_file->timeline, m_whole, step);
     }
     emit stepChanged();
     selectOperation(step < end ? step - 1 : -1);
@@ -165,7 +178,7 @@ std::shared_ptr<const fabric::Fabric> Document::shownFabric() const {
     if (showsPrefix()) {
         return m_prefix->fabric;
     }
-    return m_file ? m_file->fabric : nullptr;
+    return m_whole;
 }
 
 std::shared_ptr<const simulation::Frame> Document::shownFrame() const {
@@ -174,7 +187,8 @@ std::shared_ptr<const simulation::Frame> Document::shownFrame() const {
 
 void Document::updateShownFrame() {
     const auto whole = m_bridge.frame();
-    if (!whole) {
+    const bool foreign = showsPrefix() && m_prefix->whole != m_whole; // its successor is under way
+    if (!whole || foreign) {
         return;
     }
     if (showsPrefix()) {
@@ -197,19 +211,55 @@ void Document::select(const Selection& selection) {
 void Document::selectLoop(LoopIndex loop) {
     select(m_file ? selectionOfLoop(m_file->timeline->program(), m_file->timeline->loops(), loop)
                   : Selection{});
+    setPoint(firstPointOf(m_selection.loop));
+}
+
+void Document::selectPoint(fabric::PointIndex point) {
+    const auto fabric = shownFabric();
+    if (!fabric || point < 0 || static_cast<std::size_t>(point) >= fabric->points.size()) {
+        clearSelection();
+        return;
+    }
+    selectLoop(fabric->points[static_cast<std::size_t>(point)].loop);
+    setPoint(point);
+}
+
+void Document::setPoint(fabric::PointIndex point) {
+    if (point >= 0 || m_point >= 0) {
+        m_point = point;
+        emit pointChanged();
+    }
+}
+
+/// -1 where the fabric shown has no such loop, or no longer.
+fabric::PointIndex Document::firstPointOf(LoopIndex loop) const {
+    const auto fabric = shownFabric();
+    const bool there = fabric && loop >= 0 && static_cast<std::size_t>(loop) < fabric->loops.size();
+    return there ? fabric->loops[static_cast<std::size_t>(loop)].headLeft : -1;
+}
+
+std::optional<fabric::PointHistory> Document::pointHistory() const {
+    if (m_point < 0) {
+        return std::nullopt;
+    }
+    const OperationIndex shown = showsPrefix() ? m_prefix->count : operationCount();
+    return fabric::pointHistory(*shownFabric(), *m_file->timeline, m_point, shown);
 }
 
 void Document::selectOperation(OperationIndex operation) {
+    setPoint(-1);
     select(m_file ? selectionOfOperation(m_file->timeline->program(), m_file->timeline->loops(), operation)
                   : Selection{});
 }
 
 void Document::selectLine(int line) {
+    setPoint(-1);
     select(m_file ? selectionOfLine(m_file->timeline->program(), m_file->timeline->loops(), line)
                   : Selection{});
 }
 
 void Document::clearSelection() {
+    setPoint(-1);
     select({});
 }
 
@@ -271,7 +321,10 @@ void Document::stop() {
 }
 
 void Document::restart() {
-    if (m_file) {
+    if (m_ladders.running()) {
+        m_restartAfterLadder = true;
+        m_ladders.finish();
+    } else if (m_file) {
         m_bridge.restart();
         emit generationChanged();
         start();
@@ -287,6 +340,9 @@ void Document::setIntegrator(const QString& id) {
 }
 
 void Document::drag(fabric::EntryIndex entry, Vec3 point) {
+    if (showsPrefix() && m_prefix->whole != m_whole) {
+        return;
+    }
     if (showsPrefix() && entry >= 0 && static_cast<std::size_t>(entry) < m_prefix->wholeEntry.size()) {
         entry = m_prefix->wholeEntry[static_cast<std::size_t>(entry)];
     }

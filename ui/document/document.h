@@ -1,6 +1,8 @@
 #pragma once
 
+#include "core/fabric/history.h"
 #include "core/machine/timeline.h"
+#include "ui/document/ladder.h"
 #include "ui/document/opener.h"
 #include "ui/document/prefix_builder.h"
 #include "ui/document/selection.h"
@@ -10,6 +12,7 @@
 #include <QUndoStack>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace knittsim::document {
@@ -67,11 +70,30 @@ public:
     /// The latest shape of shownFabric(); null while there is none.
     std::shared_ptr<const simulation::Frame> shownFrame() const;
 
+    /// Loops left on needles hang on a stitch holder (default); else they run as well.
+    bool stitchHolder() const { return m_stitchHolder; }
+    void setStitchHolder(bool on); ///< not while a ladder runs
+    /// Loops of the whole fabric that nothing holds and that are still there.
+    std::size_t unstableLoops() const;
+    /// Loops that have run and were taken out.
+    std::size_t removedLoops() const;
+    bool laddersRun() const { return m_ladders.running(); }
+    /// Shows the end of the program and takes the unstable loops out of the whole fabric, course by course;
+    /// physics goes on from the present shape. Undoable in one step. While they run: takes all out at once.
+    void removeLadders();
+    void cancelLadders(); ///< while they run: undone, unless something else was done since
+
     const Selection& selection() const { return m_selection; }
     void selectLoop(LoopIndex loop);
+    void selectPoint(fabric::PointIndex point); ///< of shownFabric(), with its loop; -1: nothing
     void selectOperation(OperationIndex operation);
     void selectLine(int line);
     void clearSelection();
+
+    /// The bonding point that was selected, alone or with its loop; -1 where none is, and after stepping.
+    fabric::PointIndex selectedPoint() const { return m_point; }
+    /// What happened to it up to the operation shown; nothing without one. Replays a part of the program.
+    std::optional<fabric::PointHistory> pointHistory() const;
 
     const std::vector<CarrierYarn>& carriers() const { return m_carriers; }
     /// Undoable. Keeps the shape and goes on from it; with the same body (machine::sameBody) physics is not
@@ -90,10 +112,12 @@ public:
     void start();
     void pause();
     void stepSimulation();
-    void restart();
     void stop();
     QString integrator() const { return m_integrator; }
     void setIntegrator(const QString& id);
+    /// Back to where the machine leaves the fabric; ladders that were taken out stay out.
+    void restart();
+
     /// Pulls an entry of shownFabric() towards a point, mm; until releaseDrag().
     void drag(fabric::EntryIndex entry, Vec3 point);
     void releaseDrag();
@@ -109,35 +133,58 @@ signals:
     void fabricShown(); ///< shownFabric() changed
     void frameShown();  ///< shownFrame() changed
     void selectionChanged();
+    void pointChanged(); ///< selectedPoint() or its history
     void yarnsChanged();
     void activityChanged();
     void integratorChanged();
     void generationChanged(); ///< load or restart: histories begin anew
+    void ladderChanged();     ///< stitchHolder(), unstableLoops(), removedLoops() or laddersRun() changed
+    void nothingRuns();       ///< the answer to removeLadders() when there is nothing to remove
 
 private:
     friend class YarnCommand;
+    friend class LadderCommand;
 
     void begin(const OpenRequest& request);
     void take(const std::shared_ptr<const OpenedFile>& file);
     void show(const std::shared_ptr<const OpenedFile>& file);
     void select(const Selection& selection);
+    void setPoint(fabric::PointIndex point);
+    fabric::PointIndex firstPointOf(LoopIndex loop) const;
     void applyYarn(int carrier, const yarn::Yarn& yarn);
     bool showsPrefix() const { return m_prefix != nullptr; }
     void updateShownFrame();
+
+    // document_ladder.cpp
+    void countLoops();
+    void takeOut(const std::shared_ptr<Ladder>& ladder);
+    void putBack(const Ladder& ladder);
+    void takeLadderStep(const std::shared_ptr<const fabric::ReducedFabric>& reduced,
+                        const std::vector<fabric::EntryIndex>& pairs);
+    std::vector<float> presentPlaces() const;
+    std::vector<float> placesOf(const std::vector<fabric::EntryIndex>& entries) const;
+    void showWhole(std::shared_ptr<const fabric::Fabric> fabric, std::vector<float> places);
 
     std::shared_ptr<const yarn::YarnLibrary> m_library;
     Opener m_opener;
     QString m_openingTitle;
     std::shared_ptr<const OpenedFile> m_file;
     std::shared_ptr<const OpenedFile> m_failed;
+    std::shared_ptr<const fabric::Fabric> m_whole; ///< of the whole program; less what has run
     std::vector<CarrierYarn> m_carriers;
     OperationIndex m_step = 0;
     Selection m_selection;
+    fabric::PointIndex m_point = -1; ///< of shownFabric()
     PrefixBuilder m_prefixes;
     std::shared_ptr<const PrefixFabric> m_prefix; ///< null when the whole fabric is shown
     std::shared_ptr<const simulation::Frame> m_prefixFrame;
     SimulationBridge m_bridge;
     QString m_integrator;
+    LadderRunner m_ladders;
+    fabric::Runs m_runs; ///< of m_whole, or of the fabric before the ladder that runs
+    std::size_t m_loopsGone = 0;
+    bool m_stitchHolder = true;
+    bool m_restartAfterLadder = false;
     QUndoStack m_undo;
 };
 

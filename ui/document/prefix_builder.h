@@ -17,6 +17,7 @@ class Mailbox;
 struct PrefixFabric {
     machine::OperationIndex count = 0;
     std::shared_ptr<const fabric::Fabric> fabric;
+    std::shared_ptr<const fabric::Fabric> whole; ///< with which it was paired
     std::vector<fabric::EntryIndex>
         wholeEntry; ///< by entry of `fabric`; -1 where the whole has no such place
 };

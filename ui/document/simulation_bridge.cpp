@@ -45,6 +45,22 @@ void SimulationBridge::load(std::shared_ptr<const fabric::Fabric> fabric, std::v
     takeState(simulation::State::Ready, simulation::StopReason::None);
 }
 
+void SimulationBridge::replace(std::shared_ptr<const fabric::Fabric> fabric, std::vector<float> places) {
+    ++m_generation;
+    if (m_frame && !places.empty()) {
+        // Until the worker's first frame comes: the same picture, less what has gone.
+        auto frame = std::make_shared<simulation::Frame>(*m_frame);
+        frame->generation = m_generation;
+        frame->positions = places;
+        frame->tension.clear();
+        m_frame = std::move(frame);
+    } else {
+        m_frame.reset();
+    }
+    m_worker->post(simulation::command::Replace{
+        .fabric = std::move(fabric), .positions = std::move(places), .generation = m_generation});
+}
+
 void SimulationBridge::restart() {
     ++m_generation;
     m_worker->post(simulation::command::Restart{m_generation});

@@ -24,6 +24,8 @@ public:
 
     /// Frames that follow belong to `fabric`.
     void load(std::shared_ptr<const fabric::Fabric> fabric, std::vector<yarn::Yarn> yarns);
+    /// Goes on with another fabric at these places (3 per entry, mm; empty: the machine's).
+    void replace(std::shared_ptr<const fabric::Fabric> fabric, std::vector<float> places);
     void restart();
     void post(simulation::Command command);
 

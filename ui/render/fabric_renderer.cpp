@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace knittsim::render {
 
@@ -33,6 +34,12 @@ Vec3f shown(yarn::Colour c) {
 /// Light adds up linearly; the shader takes the root at the end.
 Vec3f linear(const Vec3f& colour) {
     return colour.cwiseProduct(colour);
+}
+
+/// Of the background, which is lighter at the top.
+std::pair<Vec3f, Vec3f> lowerAndUpper(bool dark) {
+    return dark ? std::pair(Vec3f(0.105F, 0.112F, 0.125F), Vec3f(0.185F, 0.195F, 0.215F))
+                : std::pair(Vec3f(0.84F, 0.85F, 0.86F), Vec3f(0.955F, 0.96F, 0.965F));
 }
 
 Vec3f accent(bool dark) {
@@ -139,7 +146,14 @@ void FabricRenderer::Implementation::makeArrays() {
     glBindVertexArray(markerArray);
     glBindBuffer(GL_ARRAY_BUFFER, markerBuffer);
     glEnableVertexAttribArray(0);
-    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Marker), nullptr);
+    const auto attribute = [](GLuint location, std::size_t offset) {
+        glEnableVertexAttribArray(location);
+        glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, sizeof(Marker),
+                              reinterpret_cast<const void*>(offset));
+    };
+    attribute(0, offsetof(Marker, place));
+    attribute(2, offsetof(Marker, front));
+    attribute(3, offsetof(Marker, behind));
     glEnableVertexAttribArray(1);
     glVertexAttribIPointer(1, 1, GL_UNSIGNED_INT, sizeof(Marker),
                            reinterpret_cast<const void*>(offsetof(Marker, kind)));
@@ -249,9 +263,9 @@ void FabricRenderer::draw(const View& view) {
 void FabricRenderer::Implementation::drawBackground(const View& view) const {
     glDisable(GL_DEPTH_TEST);
     shaders.background->use();
-    shaders.background->set("uLower", view.dark ? Vec3f(0.105F, 0.112F, 0.125F) : Vec3f(0.84F, 0.85F, 0.86F));
-    shaders.background->set("uUpper",
-                            view.dark ? Vec3f(0.185F, 0.195F, 0.215F) : Vec3f(0.955F, 0.96F, 0.965F));
+    const auto [lower, upper] = lowerAndUpper(view.dark);
+    shaders.background->set("uLower", lower);
+    shaders.background->set("uUpper", upper);
     glBindVertexArray(emptyArray);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -392,14 +406,30 @@ void FabricRenderer::Implementation::setYarn(const ShaderProgram& program, const
 }
 
 void FabricRenderer::Implementation::drawMarkers(const View& view) const {
-    setCamera(*shaders.marker, view);
-    shaders.marker->set("uSize", std::clamp(0.25F / millimetresPerPixel(view), 4.0F, 12.0F));
-    shaders.marker->set("uColours[0]", view.dark ? Vec3f(0.45F, 0.80F, 0.98F) : Vec3f(0.05F, 0.40F, 0.70F));
-    shaders.marker->set("uColours[1]", view.dark ? Vec3f(0.60F, 0.90F, 0.55F) : Vec3f(0.10F, 0.52F, 0.18F));
-    shaders.marker->set("uColours[2]", view.dark ? Vec3f(1.0F, 0.55F, 0.45F) : Vec3f(0.80F, 0.16F, 0.10F));
+    const ShaderProgram& program = *shaders.marker;
+    const MeshColours colours = meshColours(view.dark);
+    const auto [lower, upper] = lowerAndUpper(view.dark);
+    setCamera(program, view);
+    const float perPixel = millimetresPerPixel(view);
+    const float size = std::clamp(kMarkerMm / perPixel, kLeastMarkerPixels, kMostMarkerPixels);
+    program.set("uSize", size);
+    program.set("uLift", 0.5F * size * perPixel);
+    program.set("uFoot", shown(colours.foot));
+    program.set("uHead", shown(colours.head));
+    program.set("uCrossing", shown(colours.crossing));
+    program.set("uLower", lower);
+    program.set("uUpper", upper);
+    program.set("uHeight", view.transparent ? 0.0F : static_cast<float>(view.height));
     glEnable(GL_PROGRAM_POINT_SIZE);
+    // Soft edges; where there is no background the alpha of the picture must not change.
+    if (!view.transparent) {
+        glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+        glEnable(GL_SAMPLE_ALPHA_TO_ONE);
+    }
     glBindVertexArray(markerArray);
     glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(frame->markers.size()));
+    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    glDisable(GL_SAMPLE_ALPHA_TO_ONE);
     glDisable(GL_PROGRAM_POINT_SIZE);
 }
 

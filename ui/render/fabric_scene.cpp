@@ -58,16 +58,38 @@ std::vector<double> diametersOf(const fabric::Fabric& fabric, std::span<const Ya
     return diameters;
 }
 
-std::uint32_t markerKind(const fabric::Fabric& fabric, fabric::EntryIndex entry) {
-    bool foot = false;
+Vec3f placeOf(std::span<const float> positions, fabric::EntryIndex entry) {
+    const std::size_t i = 3 * static_cast<std::size_t>(entry);
+    const Vec3f p = i + 2 < positions.size() ? Vec3f(positions[i], positions[i + 1], positions[i + 2])
+                                             : Vec3f(Vec3f::Zero());
+    return p.allFinite() ? p : Vec3f(Vec3f::Zero());
+}
+
+/// The way of the yarn at a point: from the point before it to the one after.
+std::array<float, 3> wayAt(const fabric::Fabric& fabric, std::span<const float> positions,
+                           fabric::PointIndex point) {
+    const auto entryOf = [&](fabric::PointIndex p) {
+        return fabric.points[static_cast<std::size_t>(p)].entry;
+    };
+    const auto last = static_cast<fabric::PointIndex>(fabric.points.size()) - 1;
+    const Vec3f way = placeOf(positions, entryOf(std::min(point + 1, last))) -
+                      placeOf(positions, entryOf(std::max(point - 1, 0)));
+    return {way.x(), way.y(), way.z()};
+}
+
+Marker markerAt(const fabric::Fabric& fabric, std::span<const float> positions, fabric::EntryIndex entry) {
+    const Vec3f place = placeOf(positions, entry);
+    Marker marker{.place = {place.x(), place.y(), place.z()}, .kind = Marker::OpenHead};
     for (const fabric::PointIndex p : fabric.at(entry)) {
-        const fabric::Role role = fabric.points[static_cast<std::size_t>(p)].role;
-        if (role == fabric::Role::Crossing) {
-            return 2;
+        const fabric::BondingPoint& point = fabric.points[static_cast<std::size_t>(p)];
+        if (point.role == fabric::Role::Crossing) {
+            marker.kind = Marker::Crossing;
+            (point.front > 0 ? marker.front : marker.behind) = wayAt(fabric, positions, p);
+        } else if (point.role == fabric::Role::Foot) {
+            marker.kind = Marker::Bond;
         }
-        foot = foot || role == fabric::Role::Foot;
     }
-    return foot ? 0 : 1;
+    return marker;
 }
 
 } // namespace
@@ -191,12 +213,6 @@ void FabricScene::addChunks(SceneFrame& frame) const {
 }
 
 void FabricScene::fillMesh(SceneFrame& frame, std::span<const float> positions) const {
-    const auto placeOf = [&](fabric::EntryIndex entry) {
-        const std::size_t i = 3 * static_cast<std::size_t>(entry);
-        const Vec3f p = i + 2 < positions.size() ? Vec3f(positions[i], positions[i + 1], positions[i + 2])
-                                                 : Vec3f(Vec3f::Zero());
-        return p.allFinite() ? p : Vec3f(Vec3f::Zero());
-    };
     const std::array<std::uint32_t, 2> towardsFront{packDirection(Vec3f::UnitX()),
                                                     packDirection(Vec3f::UnitZ())};
     frame.nodes.resize(m_topology->owner.size(), kNoNode);
@@ -204,7 +220,7 @@ void FabricScene::fillMesh(SceneFrame& frame, std::span<const float> positions) 
     for (std::size_t y = 0; y < m_topology->yarns.size(); ++y) {
         const auto first = static_cast<std::size_t>(m_topology->yarns[y].first);
         for (std::size_t n = first; n < first + static_cast<std::size_t>(m_topology->yarns[y].count); ++n) {
-            const Vec3f place = placeOf(m_fabric->points[m_topology->owner[n]].entry);
+            const Vec3f place = placeOf(positions, m_fabric->points[m_topology->owner[n]].entry);
             // Coincident points still advance, so that a falling arc always means another yarn.
             const float step =
                 n > first ? std::max(1e-4F, (place - Vec3f::Map(frame.nodes[n - 1].data())).norm()) : 0;
@@ -212,9 +228,13 @@ void FabricScene::fillMesh(SceneFrame& frame, std::span<const float> positions) 
         }
     }
     addChunks(frame);
+    addMarkers(frame, positions);
+}
+
+void FabricScene::addMarkers(SceneFrame& frame, std::span<const float> positions) const {
+    frame.markers.reserve(static_cast<std::size_t>(m_fabric->entryCount));
     for (fabric::EntryIndex entry = 0; entry < m_fabric->entryCount; ++entry) {
-        const Vec3f p = placeOf(entry);
-        frame.markers.push_back({p.x(), p.y(), p.z(), markerKind(*m_fabric, entry)});
+        frame.markers.push_back(markerAt(*m_fabric, positions, entry));
     }
 }
 

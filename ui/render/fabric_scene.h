@@ -23,10 +23,17 @@ struct SceneTopology {
     std::size_t pointCount = 0;
 };
 
-/// A bonding point as the bare mesh shows it.
+/// A place of the bonding point table as the bare mesh shows it.
 struct Marker {
-    float x, y, z;
-    std::uint32_t kind; ///< fabric::Role, and 3 for the point of a held loop
+    enum Kind : std::uint32_t {
+        Bond,     ///< a foot in a head: a loop is drawn through here
+        OpenHead, ///< nothing is drawn through yet
+        Crossing, ///< two strands pass each other
+    };
+    std::array<float, 3> place{}; ///< mm
+    std::uint32_t kind = Bond;
+    std::array<float, 3> front{}; ///< Crossing: way of the strand in front (to a viewer of the front bed), mm
+    std::array<float, 3> behind{}; ///< Crossing: way of the other one
 };
 
 /// A short piece of yarn, so that pieces outside the picture need not be drawn.
@@ -72,6 +79,7 @@ private:
     void fillCurves(SceneFrame& frame) const;
     void addChunks(SceneFrame& frame) const;
     void fillMesh(SceneFrame& frame, std::span<const float> positions) const;
+    void addMarkers(SceneFrame& frame, std::span<const float> positions) const;
 
     std::shared_ptr<const fabric::Fabric> m_fabric;
     DrawStyle m_style;

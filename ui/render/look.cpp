@@ -22,6 +22,11 @@ double glossOf(std::string_view kind) {
 
 } // namespace
 
+MeshColours meshColours(bool dark) {
+    return dark ? MeshColours{{110, 200, 250}, {150, 226, 134}, {255, 128, 108}}
+                : MeshColours{{10, 90, 170}, {22, 128, 50}, {200, 36, 24}};
+}
+
 YarnLook lookOf(const yarn::Yarn& yarn) {
     constexpr int kMostPlies = 6; // more are filaments, which the eye does not tell apart
     return {.colour = yarn.colour,

@@ -13,6 +13,17 @@ enum class DrawStyle : std::uint8_t {
     Mesh,    ///< bonding points and the yarn between them, straight
 };
 
+/// Colours of the bonding points in the bare mesh, by role.
+struct MeshColours {
+    yarn::Colour foot, head, crossing;
+};
+MeshColours meshColours(bool dark);
+
+/// Width of a bonding point in the bare mesh, and its limits on the screen.
+constexpr float kMarkerMm = 0.25F;
+constexpr float kLeastMarkerPixels = 4;
+constexpr float kMostMarkerPixels = 12;
+
 /// What the renderer needs to know of a yarn. Plain value.
 struct YarnLook {
     yarn::Colour colour;

@@ -4,8 +4,10 @@
 #include "ui/document/message_text.h"
 #include "ui/views/diagnostics/diagnostics_list.h"
 #include "ui/views/fabric_view/fabric_view.h"
+#include "ui/views/history/history_card.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
 #include "ui/views/simulation_panel/activity_text.h"
+#include "ui/views/simulation_panel/ladder_text.h"
 #include "ui/views/source/source_view.h"
 #include "ui/views/step_player/step_player.h"
 #include "ui/views/style/appearance.h"
@@ -95,6 +97,7 @@ void MainWindow::buildCentre() {
     m_fabric->setAccessibleName(tr("Fabric"));
     m_fabric->setFocusPolicy(Qt::StrongFocus);
     m_fabric->setDark(isDark(palette()));
+    m_history = new HistoryCard(m_document, m_fabric);
     m_player = new StepPlayer(m_document, m_workspace);
     auto* work = new QVBoxLayout(m_workspace);
     work->setContentsMargins(0, 0, 0, 0);
@@ -124,6 +127,16 @@ void MainWindow::connectDocument() {
     connect(&m_document, &Document::problemsChanged, this, &MainWindow::takeProblems);
     connect(&m_document, &Document::fabricShown, this, &MainWindow::takeFabric);
     connect(&m_document, &Document::activityChanged, this, &MainWindow::takeActions);
+    connect(&m_document, &Document::ladderChanged, this, [this] {
+        if (m_banner->text() == m_nothingRuns) {
+            m_banner->hide();
+        }
+        takeActions();
+    });
+    connect(&m_document, &Document::nothingRuns, this, [this] {
+        m_nothingRuns = nothingRunsText(m_document);
+        m_banner->showMessage(Banner::Kind::Note, m_nothingRuns);
+    });
     connect(&m_document, &Document::activityChanged, this, [this] {
         const auto file = m_document.file();
         m_fabric->setAccessibleDescription(file ? tr("%1 columns, %2 courses, %3, %4 problems")
@@ -144,7 +157,7 @@ void MainWindow::connectDocument() {
 void MainWindow::connectFabric() {
     using document::Document;
     connect(&m_document, &Document::frameShown, this, [this] {
-        m_fabric->setFollowing(m_document.step() == m_document.operationCount());
+        m_fabric->setFollowing(m_document.step() == m_document.operationCount() && !m_document.laddersRun());
         m_fabric->setFrame(m_document.shownFrame());
         m_status->setRenderer(m_fabric->hasOpenGl() ? m_fabric->rendererName() : tr("Qt, flat"));
     });
@@ -156,6 +169,12 @@ void MainWindow::connectFabric() {
         m_fabric->setSelection(fabric && loop < static_cast<int>(fabric->loops.size()) ? loop : -1);
     });
     connect(m_fabric, &FabricView::loopClicked, &m_document, &Document::selectLoop);
+    connect(m_fabric, &FabricView::pointClicked, &m_document, &Document::selectPoint);
+    connect(&m_document, &Document::pointChanged, this,
+            [this] { m_fabric->setSelectedPoint(m_document.selectedPoint()); });
+    connect(m_history, &HistoryCard::lineWanted, this, &MainWindow::showLine);
+    connect(m_history, &HistoryCard::closeWanted, this,
+            [this] { findChild<QAction*>(QStringLiteral("actionHistory"))->setChecked(false); });
     connect(m_fabric, &FabricView::loopHovered, m_status, &StatusLine::setHoveredLoop);
     connect(m_grid, &PatternGrid::loopHovered, m_status, &StatusLine::setHoveredLoop);
     connect(m_fabric, &FabricView::dragMoved, &m_document, [this](int entry, QVector3D point) {
@@ -197,8 +216,8 @@ void MainWindow::takeFile() {
 void MainWindow::startSoon() {
     // The eye needs to see the fabric as the machine leaves it, else a small one is at rest before the first
     // picture.
-    QTimer::singleShot(kSettleDelayMs, this, [this, generation = m_document.generation()] {
-        if (generation == m_document.generation()) {
+    QTimer::singleShot(kSettleDelayMs, this, [this, file = std::weak_ptr(m_document.file())] {
+        if (file.lock() == m_document.file() && m_document.activity() == document::Activity::Machine) {
             m_document.start();
         }
     });
@@ -227,6 +246,7 @@ void MainWindow::takeFabric() {
     const int loop = m_document.selection().loop;
     const auto fabric = m_document.shownFabric();
     m_fabric->setSelection(fabric && loop < static_cast<int>(fabric->loops.size()) ? loop : -1);
+    m_fabric->setSelectedPoint(m_document.selectedPoint());
 }
 
 void MainWindow::takeProblems() {
@@ -245,6 +265,12 @@ void MainWindow::showPlace(const Diagnostic& problem) {
     if (!m_document.failedFile() && problem.place.operation >= 0) {
         m_document.selectOperation(problem.place.operation);
     }
+}
+
+void MainWindow::showLine(int line) {
+    m_sourceDock->show();
+    m_sourceDock->raise();
+    m_source->showLine(line);
 }
 
 void MainWindow::showWorkspace() {

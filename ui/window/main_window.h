@@ -18,6 +18,7 @@ class Banner;
 class DiagnosticsList;
 class FabricView;
 class Gallery;
+class HistoryCard;
 class PatternGrid;
 class SimulationPanel;
 class SourceView;
@@ -61,6 +62,7 @@ private:
     void takeFabric();
     void takeProblems();
     void showPlace(const Diagnostic& problem);
+    void showLine(int line);
     void showWorkspace();
     void showGallery();
     void chooseFile();
@@ -101,6 +103,7 @@ private:
     Gallery* m_gallery = nullptr;
     Banner* m_banner = nullptr;
     FabricView* m_fabric = nullptr;
+    HistoryCard* m_history = nullptr;
     StepPlayer* m_player = nullptr;
     PatternGrid* m_grid = nullptr;
     SourceView* m_source = nullptr;
@@ -116,6 +119,7 @@ private:
     QToolBar* m_toolBar = nullptr;
     QToolButton* m_problemButton = nullptr;
     QMenu* m_recentMenu = nullptr;
+    QString m_nothingRuns;    ///< what the banner last said about ladders
     QByteArray m_arrangement; ///< of the docks while a file is open; empty: m_layout as it comes
     Layout m_layout = Layout::Standard;
 };

@@ -4,7 +4,9 @@
 #include "ui/views/diagnostics/diagnostics_list.h"
 #include "ui/views/diagnostics/diagnostics_model.h"
 #include "ui/views/fabric_view/fabric_view.h"
+#include "ui/views/history/history_card.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
+#include "ui/views/simulation_panel/ladder_text.h"
 #include "ui/views/simulation_panel/simulation_panel.h"
 #include "ui/views/step_player/step_player.h"
 #include "ui/views/style/icons.h"
@@ -114,8 +116,13 @@ void MainWindow::buildEditMenu() {
         m_yarnDock->raise();
         m_yarns->search();
     });
-    addAction(menu, "actionSelectNone", tr("Select &nothing"), Qt::Key_Escape, {},
-              [this] { m_document.clearSelection(); });
+    addAction(menu, "actionSelectNone", tr("Select &nothing"), Qt::Key_Escape, {}, [this] {
+        if (m_document.laddersRun()) {
+            m_document.cancelLadders();
+        } else {
+            m_document.clearSelection();
+        }
+    });
     menu->addSeparator();
     addAction(menu, "actionNextProblem", tr("Next &problem"), Qt::Key_F8, {},
               [this] { m_problems->walk(+1); });
@@ -157,6 +164,12 @@ void MainWindow::buildViewMenu() {
               [this] { m_fabric->setStyle(DrawStyle::Strokes); });
     addChoice(menu, styles, "actionStyleMesh", tr("Bonding points and &mesh"), Qt::ALT | Qt::Key_3,
               "style-mesh", [this] { m_fabric->setStyle(DrawStyle::Mesh); });
+    QAction* legend =
+        addChoice(menu, nullptr, "actionLegend", tr("Legend of the &mesh"), Qt::ALT | Qt::Key_4, {}, [] {});
+    connect(legend, &QAction::toggled, this, [this](bool on) { m_fabric->setLegend(on); });
+    QAction* history = addChoice(menu, nullptr, "actionHistory", tr("H&istory of the selected bonding point"),
+                                 Qt::Key_H, {}, [] {});
+    connect(history, &QAction::toggled, this, [this](bool on) { m_history->setSwitchedOn(on); });
     menu->addSeparator();
     QMenu* appearance = menu->addMenu(tr("&Appearance"));
     auto* looks = new QActionGroup(this);
@@ -224,6 +237,14 @@ void MainWindow::buildSimulateMenu() {
         connect(&m_document, &document::Document::integratorChanged, action,
                 [this, action, id] { action->setChecked(id == m_document.integrator()); });
     }
+    menu->addSeparator();
+    addAction(menu, "actionRemoveLadders", tr("Remove &ladders"), Qt::CTRL | Qt::Key_L, "ladder",
+              [this] { m_document.removeLadders(); });
+    QAction* holder = addChoice(menu, nullptr, "actionStitchHolder", tr("Stitch &holder"),
+                                Qt::CTRL | Qt::SHIFT | Qt::Key_L, {}, [] {});
+    holder->setToolTip(stitchHolderHelp());
+    connect(holder, &QAction::toggled, &m_document, &document::Document::setStitchHolder);
+    menu->addSeparator();
     QAction* drag =
         addChoice(menu, nullptr, "actionDrag", tr("&Pull the yarn with the mouse"), Qt::Key_D, "drag", [] {});
     connect(drag, &QAction::toggled, this, [this](bool on) { m_fabric->setDragMode(on); });
@@ -334,11 +355,20 @@ void MainWindow::takeActions() {
     run->setIcon(icon(running ? QStringLiteral("pause") : QStringLiteral("play")));
     run->setText(running ? tr("Pau&se") : tr("&Start"));
     run->setToolTip(running ? tr("Pause the simulation (F5)") : tr("Start the simulation (F5)"));
+    const bool ladder = m_document.laddersRun();
+    QAction* remove = findChild<QAction*>(QStringLiteral("actionRemoveLadders"));
+    remove->setText(ladder ? tr("Skip to the end of the &ladder") : tr("Remove &ladders"));
+    remove->setToolTip(removeLaddersHelp());
+    QAction* holder = findChild<QAction*>(QStringLiteral("actionStitchHolder"));
+    holder->setChecked(m_document.stitchHolder());
+    holder->setEnabled(open && !ladder);
     const DrawStyle style = m_fabric->style();
     findChild<QAction*>(style == DrawStyle::Yarn      ? QStringLiteral("actionStyleYarn")
                         : style == DrawStyle::Strokes ? QStringLiteral("actionStyleStrokes")
                                                       : QStringLiteral("actionStyleMesh"))
         ->setChecked(true);
+    findChild<QAction*>(QStringLiteral("actionLegend"))->setChecked(m_fabric->hasLegend());
+    findChild<QAction*>(QStringLiteral("actionHistory"))->setChecked(m_history->isSwitchedOn());
     findChild<QAction*>(QStringLiteral("actionOrthographic"))->setChecked(m_fabric->isOrthographic());
     const auto count = m_document.problems().size();
     const bool errors = hasErrors(m_document.problems());

@@ -1,5 +1,6 @@
 #include "ui/views/diagnostics/diagnostics_list.h"
 #include "ui/views/fabric_view/fabric_view.h"
+#include "ui/views/history/history_card.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
 #include "ui/views/simulation_panel/simulation_panel.h"
 #include "ui/views/source/source_view.h"
@@ -19,6 +20,8 @@ const QString kGeometry = QStringLiteral("window/geometry");
 const QString kArrangement = QStringLiteral("window/arrangement1"); // the number rises when docks change
 const QString kStyle = QStringLiteral("window/style");
 const QString kOrthographic = QStringLiteral("window/orthographic");
+const QString kLegend = QStringLiteral("window/legend");
+const QString kHistory = QStringLiteral("window/history");
 
 constexpr int kLeftWidth = 320;
 constexpr int kRightWidth = 270;
@@ -124,6 +127,8 @@ void MainWindow::restoreSession() {
                        : style == 2 ? render::DrawStyle::Mesh
                                     : render::DrawStyle::Yarn);
     m_fabric->setOrthographic(m_session.value(kOrthographic) == "1");
+    m_fabric->setLegend(m_session.value(kLegend) != "0");
+    m_history->setSwitchedOn(m_session.value(kHistory) != "0");
 }
 
 void MainWindow::saveSession() {
@@ -134,6 +139,8 @@ void MainWindow::saveSession() {
                                : style == render::DrawStyle::Mesh  ? "2"
                                                                    : "0");
     m_session.setValue(kOrthographic, m_fabric->isOrthographic() ? "1" : "0");
+    m_session.setValue(kLegend, m_fabric->hasLegend() ? "1" : "0");
+    m_session.setValue(kHistory, m_history->isSwitchedOn() ? "1" : "0");
 }
 
 } // namespace knittsim::ui

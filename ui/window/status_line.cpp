@@ -2,8 +2,11 @@
 
 #include "ui/document/operation_text.h"
 #include "ui/views/simulation_panel/activity_text.h"
+#include "ui/views/simulation_panel/ladder_text.h"
+#include "ui/views/style/appearance.h"
 #include "ui/views/style/numbers.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 
@@ -35,6 +38,8 @@ StatusLine::StatusLine(document::Document& document, QWidget* parent)
     row->addStretch(1);
     m_state = addField("statusState", tr("What the simulation does"), {});
     m_stitches = addField("statusStitches", tr("Loops made up to the operation shown"), {});
+    m_ladders =
+        addField("statusLadders", tr("Loops that nothing holds: Remove ladders (Ctrl+L) lets them run"), {});
     m_energy = addField("statusEnergy", tr("Spring energy V of the fabric"), tr("V %1").arg("888 mJ"));
     m_time =
         addField("statusTime", tr("Computing time of one integrator step"), tr("%1 ms/step").arg("88.8"));
@@ -43,8 +48,10 @@ StatusLine::StatusLine(document::Document& document, QWidget* parent)
     connect(&m_document, &document::Document::selectionChanged, this, &StatusLine::takePlace);
     connect(&m_document, &document::Document::frameShown, this, &StatusLine::takeFrame);
     connect(&m_document, &document::Document::activityChanged, this, &StatusLine::takeFrame);
+    connect(&m_document, &document::Document::ladderChanged, this, &StatusLine::takeLadders);
     takePlace();
     takeFrame();
+    takeLadders();
 }
 
 QLabel* StatusLine::addField(const char* name, const QString& toolTip, const QString& widest) {
@@ -123,6 +130,23 @@ void StatusLine::takePlace() {
         showOperation(m_document.step() - 1);
     }
     m_stitches->setText(tr("%1 stitches").arg(countText(state.loopCount)));
+}
+
+void StatusLine::takeLadders() {
+    m_ladders->setText(ladderText(m_document));
+    m_ladders->setVisible(!m_ladders->text().isEmpty());
+    QPalette colours = palette();
+    if (m_document.unstableLoops() > 0) {
+        colours.setColor(QPalette::WindowText, accentsOf(palette()).warning);
+    }
+    m_ladders->setPalette(colours);
+}
+
+void StatusLine::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) {
+        takeLadders();
+    }
+    QWidget::changeEvent(event);
 }
 
 void StatusLine::takeFrame() {

@@ -23,6 +23,8 @@ private:
     QLabel* addField(const char* name, const QString& toolTip, const QString& widest);
     void takePlace();
     void takeFrame();
+    void takeLadders();
+    void changeEvent(QEvent* event) override;
     void showLoop(machine::LoopIndex loop);
     void showOperation(machine::OperationIndex operation);
 
@@ -34,6 +36,7 @@ private:
     QLabel* m_carrier;
     QLabel* m_state;
     QLabel* m_stitches;
+    QLabel* m_ladders;
     QLabel* m_energy;
     QLabel* m_time;
     QLabel* m_renderer;

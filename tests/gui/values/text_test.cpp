@@ -1,5 +1,6 @@
 #include "core/base/message_table.h"
 #include "tests/support/build.h"
+#include "ui/document/history_text.h"
 #include "ui/document/message_text.h"
 #include "ui/document/operation_text.h"
 #include "ui/views/style/numbers.h"
@@ -39,6 +40,61 @@ TEST_F(TextTest, AStitchNamesNeedleCourseCarrierAndLine) {
     const document::StitchGrid grid(timeline.loops(), fabric::buildFabric(timeline));
     EXPECT_EQ(document::stitchText(timeline.program(), timeline.loops(), grid, 1),
               QStringLiteral("Front needle 5, course 2: knit with carrier 1, line 5"));
+}
+
+/// The texts of a point's history, each with its line.
+QStringList historyOf(const machine::Timeline& timeline, const fabric::Fabric& fabric,
+                      fabric::PointIndex point) {
+    QStringList all;
+    for (const auto& [line, text] :
+         document::historyLines(timeline, fabric::pointHistory(fabric, timeline, point))) {
+        all << QStringLiteral("%1 %2").arg(line).arg(text);
+    }
+    return all;
+}
+
+TEST_F(TextTest, AHistoryTellsEveryEventWithItsLine) {
+    const machine::Timeline timeline =
+        test::timeline("in 1\nknit + f0 1\nknit + f1 1\nknit - f1 1\nknit - f0 1\n"
+                       "xfer f0 b0\nrack 1\nxfer b0 f1\nknit + f1 1\ndrop f1\n");
+    const fabric::Fabric fabric = fabric::buildFabric(timeline);
+    const fabric::Loop& moved = fabric.loops[3];
+    EXPECT_EQ(historyOf(timeline, fabric, moved.footLeft),
+              QStringList({
+                  "7 Made: Knit on front needle 0 with carrier 1, to the left, through one loop, rack 0",
+                  "8 Transferred from front needle 0 to rear needle 0, rack 0",
+                  "10 Transferred from rear needle 0 to front needle 1, onto one loop, rack +1",
+                  "11 Bound: Knit on front needle 1 with carrier 1, to the right, rack +1",
+                  "-1 The yarn of this loop lies in front here",
+              }));
+    EXPECT_EQ(historyOf(timeline, fabric, fabric.loops[0].headRight).last(),
+              QStringLiteral("-1 In front here: the loop of line 7 on front needle 0"));
+    EXPECT_EQ(
+        historyOf(timeline, fabric, fabric.loops[0].headRight).first(),
+        QStringLiteral(
+            "4 Made: Knit on front needle 0 with carrier 1, to the right, on the empty needle, rack 0"));
+    EXPECT_EQ(historyOf(timeline, fabric, fabric.loops[4].headLeft).last(),
+              QStringLiteral("12 Dropped by front needle 1"));
+    EXPECT_EQ(document::pointText(fabric::pointHistory(fabric, timeline, moved.footLeft)),
+              QStringLiteral("Left foot"));
+}
+
+TEST_F(TextTest, ACrossingNamesTheOtherStrand) {
+    const machine::Timeline timeline =
+        test::timeline("in 1\n" + test::pass("knit", 'f', 0, 1, 1) + test::pass("knit", 'f', 1, 0, 1) +
+                       "xfer f0 b0\nxfer f1 b1\nrack 1\nxfer b0 f1\nrack -1\nxfer b1 f0\nrack 0\n");
+    const fabric::Fabric fabric = fabric::buildFabric(timeline);
+    ASSERT_EQ(fabric.crossings.size(), 4U);
+    const auto history = fabric::pointHistory(fabric, timeline, fabric.crossings[0].over);
+    EXPECT_TRUE(document::pointText(history).startsWith(QStringLiteral("Crossing on the ")));
+    const QStringList lines = historyOf(timeline, fabric, fabric.crossings[0].over);
+    const QStringList crossed = lines.filter(QStringLiteral("Crossed: "));
+    ASSERT_EQ(crossed.size(), 1);
+    EXPECT_TRUE(crossed[0].contains(QStringLiteral("; in front of the "))) << crossed[0].toStdString();
+    EXPECT_TRUE(crossed[0].contains(QStringLiteral(" leg of the loop of line "))) << crossed[0].toStdString();
+    EXPECT_TRUE(historyOf(timeline, fabric, fabric.crossings[0].under)
+                    .join('\n')
+                    .contains(QStringLiteral("; behind the ")));
 }
 
 TEST_F(TextTest, EveryRuleHasACauseAndArgumentsAreFilledIn) {

@@ -135,6 +135,11 @@ private slots:
             QCoreApplication::processEvents();
         }
         report("stepping", meter);
+        window.document().setStitchHolder(false);
+        meter.reset();
+        window.document().removeLadders();
+        QTRY_VERIFY_WITH_TIMEOUT(!window.document().laddersRun(), 30000);
+        report("ravelling", meter);
         QVERIFY(meter.turns() > 0);
         const auto* view = window.findChild<FabricView*>("fabricView");
         qInfo("renderer %s, last paint %.1f ms", qPrintable(view->rendererName()), view->lastPaintMs());

@@ -116,6 +116,52 @@ TEST(Reduction, ARungCrossesNothingOfTheRemovedLoop) {
     EXPECT_TRUE(after.crossings.empty());
 }
 
+TEST(Runs, GoOnFromAFabricThatIsPartlyReduced) {
+    const Fabric before = build(swatch() + "drop f1\n");
+    const Fabric half = removeRuns(before, findRuns(before), 2).fabric;
+    EXPECT_THAT(findRuns(half).steps, ElementsAre(ElementsAre(6), ElementsAre(1)));
+    const Fabric atOnce = removeRuns(before, findRuns(before)).fabric;
+    const Fabric inTwo = removeRuns(half, findRuns(half)).fabric;
+    EXPECT_EQ(inTwo.points.size(), atOnce.points.size());
+    ASSERT_EQ(inTwo.lengths.size(), atOnce.lengths.size());
+    for (std::size_t i = 0; i < atOnce.lengths.size(); ++i) {
+        EXPECT_NEAR(inTwo.lengths[i], atOnce.lengths[i], 1e-9) << "between points " << i << " and " << i + 1;
+    }
+    EXPECT_TRUE(findRuns(inTwo).steps.empty());
+}
+
+TEST(Reduction, AFabricThatRavelsWhollyLeavesNothing) {
+    const Fabric before = build(swatch());
+    const ReducedFabric after = removeRuns(before, findRuns(before, {.stitchHolder = false}));
+    EXPECT_TRUE(after.fabric.points.empty());
+    EXPECT_EQ(after.fabric.entryCount, 0);
+    EXPECT_TRUE(after.fabric.courses.empty());
+}
+
+TEST(Reduction, APlaceIsWhereItWasBefore) {
+    const Fabric before = build(swatch() + "drop f1\n");
+    const ReducedFabric after = removeRuns(before, findRuns(before));
+    ASSERT_EQ(after.entryBefore.size(), static_cast<std::size_t>(after.fabric.entryCount));
+    for (const LoopIndex loop : {0, 5, 13, 15}) {
+        const auto was = before.loops[static_cast<std::size_t>(loop)].headLeft;
+        const auto now = after.fabric.loops[static_cast<std::size_t>(loop)].headLeft;
+        EXPECT_EQ(after.entryBefore[static_cast<std::size_t>(entry(after.fabric, now))], entry(before, was));
+    }
+}
+
+TEST(Reduction, PositionsAreKeptFromStepToStep) {
+    const Fabric before = build(swatch() + "drop f1\n");
+    const Runs runs = findRuns(before);
+    const ReducedFabric less = removeRuns(before, runs, 1);
+    const ReducedFabric more = removeRuns(before, runs, 3);
+    std::vector<float> places(3 * static_cast<std::size_t>(before.entryCount));
+    std::iota(places.begin(), places.end(), 0.0F);
+    const auto atOnce = pickPositions(more.entryBefore, places);
+    const auto inSteps = pickPositions(pairEntries(more, less), pickPositions(less.entryBefore, places));
+    EXPECT_EQ(atOnce.size(), 3 * static_cast<std::size_t>(more.fabric.entryCount));
+    EXPECT_EQ(inSteps, atOnce);
+}
+
 class RandomReduction : public testing::TestWithParam<unsigned> {};
 
 TEST_P(RandomReduction, YarnIsConservedAndNothingLooseIsLeft) {

@@ -1,3 +1,4 @@
+#include "core/fabric/reduction.h"
 #include "knit.h"
 
 #include <gtest/gtest.h>
@@ -96,6 +97,30 @@ TEST(RestShape, GarterShortensAndKeepsItsWidth) {
     EXPECT_GT(height, 0.64); // rods
     EXPECT_LT(height, 0.78); // swatches 0.76
     EXPECT_NEAR(width, 1.0, 0.1);
+}
+
+TEST(RestShape, ALadderOpensFlatAndItsRungsLieAcross) {
+    const int wales = 12;
+    const int courses = 12;
+    const Fabric whole =
+        knittsim::test::build(test::backAndForth(wales, courses, [](int) { return 'f'; }) + "drop f5\n");
+    const Fabric f = fabric::removeRuns(whole, fabric::findRuns(whole)).fabric;
+    const BondingPointModel net = buildBondingPointModel(f, {});
+    const auto settled = settle(*net.model, f);
+    ASSERT_EQ(settled.verdict, StopRule::Verdict::ResidualReached);
+    const Vector& x = settled.motion.positions;
+    const double l = f.made.loops[0].lengthMm;
+    for (int course = 2; course < courses - 1; ++course) {
+        const Eigen::Vector3d left = test::headOf(f, x, test::loopAt(4, course, wales));
+        const Eigen::Vector3d right = test::headOf(f, x, test::loopAt(6, course, wales));
+        EXPECT_NEAR(left.y(), right.y(), 0.02 * l);
+        EXPECT_LT(std::abs(left.z() - right.z()), 0.02 * l);
+        // The loop between them was a quarter of l wide; where it was, two sinkers are left.
+        EXPECT_GT(right.x() - left.x(), 0.25 * l);
+        EXPECT_LT(right.x() - left.x(), 0.55 * l);
+        EXPECT_LT(std::abs(left.z() - test::headOf(f, x, test::loopAt(1, course, wales)).z()), 0.1 * l)
+            << "the neighbours are slack, they do not bulge";
+    }
 }
 
 TEST(RestShape, LoopLengthAloneRules) {

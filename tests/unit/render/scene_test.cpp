@@ -1,11 +1,16 @@
+#include "core/fabric/fabric_builder.h"
+#include "core/fabric/reduction.h"
 #include "tests/support/build.h"
 #include "tests/support/lattice.h"
+#include "tests/support/random_program.h"
 #include "ui/render/camera.h"
 #include "ui/render/scene_picking.h"
 #include "ui/render/scene_worker.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <semaphore>
 
 namespace knittsim::render {
@@ -46,6 +51,53 @@ TEST(FabricScene, everyYarnBeginsWhereEveryStrideMeetsIt) {
         for (std::size_t n = 0; n < used.size(); ++n) {
             EXPECT_TRUE(used[n] || frame->nodes[n][3] < 0)
                 << "shaders must see that node " << n << " is none";
+        }
+    }
+}
+
+TEST(FabricScene, aCrossingTellsTheWayOfBothStrands) {
+    // Two loops change places; the one from needle 0 goes to the right in front of the other.
+    const auto fabric = std::make_shared<fabric::Fabric>(
+        test::build("in 1\n" + test::pass("knit", 'f', 0, 1, 1) + test::pass("knit", 'f', 1, 0, 1) +
+                    "xfer f0 b0\nxfer f1 b1\nrack 1\nxfer b0 f1\nrack -1\nxfer b1 f0\nrack 0\n" +
+                    test::pass("knit", 'f', 0, 1, 1)));
+    FabricScene scene(fabric, {}, DrawStyle::Mesh);
+    const auto frame = scene.prepare({});
+    ASSERT_EQ(frame->markers.size(), static_cast<std::size_t>(fabric->entryCount));
+    // Upwards, whichever way the yarn runs.
+    const auto lean = [](const std::array<float, 3>& way) { return way[0] / way[1]; };
+    for (const fabric::Crossing& crossing : fabric->crossings) {
+        const auto entry = fabric->points[static_cast<std::size_t>(crossing.over)].entry;
+        const Marker& marker = frame->markers[static_cast<std::size_t>(entry)];
+        EXPECT_EQ(marker.kind, Marker::Crossing);
+        const float over = lean(marker.front);
+        const float under = lean(marker.behind);
+        EXPECT_GT(over * static_cast<float>(crossing.sign), under * static_cast<float>(crossing.sign));
+    }
+    const auto countOf = [&](Marker::Kind kind) {
+        return std::ranges::count(frame->markers, kind, &Marker::kind);
+    };
+    EXPECT_EQ(countOf(Marker::Crossing), 4);
+    EXPECT_EQ(countOf(Marker::Bond), 8) << "twice two loops drawn through two";
+    EXPECT_EQ(countOf(Marker::OpenHead), 4) << "two loops on the needles";
+}
+
+TEST(FabricScene, aFabricWithLaddersIsDrawnInEveryStyle) {
+    for (const unsigned seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+        const machine::Timeline machine(test::randomProgram({.seed = seed, .operations = 800}),
+                                        machine::genericProfile());
+        const fabric::Fabric whole = fabric::buildFabric(machine);
+        for (const bool holder : {true, false}) {
+            const auto reduced = fabric::removeRuns(whole, fabric::findRuns(whole, {.stitchHolder = holder}));
+            const auto left = std::make_shared<fabric::Fabric>(reduced.fabric);
+            for (const DrawStyle style : {DrawStyle::Yarn, DrawStyle::Mesh}) {
+                FabricScene scene(left, {}, style);
+                const auto frame = scene.prepare({});
+                EXPECT_EQ(frame->markers.empty(), style == DrawStyle::Yarn || left->entryCount == 0);
+                for (const auto& node : frame->nodes) {
+                    ASSERT_TRUE(std::ranges::all_of(node, [](float v) { return std::isfinite(v); }));
+                }
+            }
         }
     }
 }
@@ -147,7 +199,7 @@ TEST(SceneWorker, takesShapesOfTheSameSizeOnly) {
     const auto highest = [&](std::shared_ptr<const simulation::Frame> frame) {
         worker.post({.fabric = fabric, .looks = {}, .style = DrawStyle::Mesh, .shape = std::move(frame)});
         ready.acquire();
-        return worker.take()->scene->markers[0].y;
+        return worker.take()->scene->markers[0].place[1];
     };
     const float onMachine = highest(nullptr);
     EXPECT_EQ(highest(shape), 7.0F);

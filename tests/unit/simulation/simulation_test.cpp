@@ -1,3 +1,4 @@
+#include "core/fabric/reduction.h"
 #include "swatches.h"
 
 #include <gmock/gmock.h>
@@ -10,6 +11,7 @@
 namespace knittsim::simulation {
 namespace {
 
+using test::coordinate;
 using test::load;
 using test::plain;
 
@@ -44,6 +46,55 @@ TEST(Simulation, LoadShowsTheMachinesPositions) {
     EXPECT_EQ(frame.tension.size(), fabric->points.size());
     EXPECT_DOUBLE_EQ(frame.residual, 1);
     EXPECT_GT(frame.energies.potential, 0);
+}
+
+TEST(Simulation, AnotherFabricGoesOnFromTheShape) {
+    Simulation simulation = loaded(plain(6, 6));
+    simulation.runToEnd(60);
+    const Frame before = simulation.frame();
+    const auto whole = plain(6, 6);
+    const auto reduced = fabric::removeRuns(*whole, {.steps = {{33}}});
+    const auto next = std::make_shared<fabric::Fabric>(reduced.fabric);
+    simulation.apply(
+        command::Replace{.fabric = next,
+                         .positions = fabric::pickPositions(reduced.entryBefore, before.positions),
+                         .generation = 2});
+    const Frame after = simulation.frame();
+    EXPECT_EQ(after.state, State::Running) << "one at rest moves again";
+    EXPECT_EQ(after.generation, 2U);
+    EXPECT_EQ(after.step, before.step);
+    ASSERT_EQ(after.positions.size(), 3 * static_cast<std::size_t>(next->entryCount));
+    EXPECT_EQ(after.tension.size(), next->points.size());
+    for (std::size_t e = 0; e < reduced.entryBefore.size(); ++e) {
+        ASSERT_EQ(coordinate(after, static_cast<fabric::EntryIndex>(e), 0),
+                  coordinate(before, reduced.entryBefore[e], 0));
+    }
+    simulation.runToEnd(60);
+    EXPECT_EQ(simulation.state(), State::AtRest);
+    EXPECT_GT(simulation.frame().step, before.step);
+}
+
+TEST(Simulation, APausedOneStaysPausedWithAnotherFabric) {
+    Simulation simulation = loaded(plain(6, 6));
+    simulation.apply(command::Step{});
+    simulation.advance(0);
+    ASSERT_EQ(simulation.state(), State::Paused);
+    simulation.apply(command::Replace{.fabric = plain(5, 5), .generation = 2});
+    EXPECT_EQ(simulation.state(), State::Paused);
+    EXPECT_EQ(simulation.frame().positions.size(), 3 * plain(5, 5)->machinePositions.size());
+}
+
+TEST(Simulation, NothingLeftOfAFabricIsAtRest) {
+    const auto whole = plain(6, 6);
+    Simulation simulation = loaded(whole);
+    simulation.runToEnd(60);
+    const auto runs = fabric::findRuns(*whole, {.stitchHolder = false});
+    simulation.apply(
+        command::Replace{.fabric = std::make_shared<fabric::Fabric>(fabric::removeRuns(*whole, runs).fabric),
+                         .generation = 2});
+    simulation.runToEnd(60);
+    EXPECT_EQ(simulation.state(), State::AtRest);
+    EXPECT_TRUE(simulation.frame().positions.empty());
 }
 
 TEST(Simulation, SettlesByItselfAndSaysWhy) {

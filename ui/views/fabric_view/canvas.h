@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace knittsim::ui {
@@ -18,9 +19,11 @@ struct CanvasContent {
     std::shared_ptr<const render::SceneFrame> scene;
     std::vector<render::YarnLook> looks;
     render::Camera camera;
-    int selected = -1; ///< loop
-    int hovered = -1;  ///< loop
+    int selected = -1;         ///< loop
+    int hovered = -1;          ///< loop
+    std::optional<Vec3f> mark; ///< place of the selected bonding point
     bool dark = false;
+    bool legend = true; ///< explain the bare mesh
     double paintMs = 0; ///< told back by the canvas
 };
 

@@ -54,6 +54,7 @@ struct FabricView::Implementation {
     bool following = false; ///< see setFollowing()
     bool followFit = true;  ///< the person has not moved the camera since the last fit
     bool dragMode = false;
+    int selectedPoint = -1; ///< of `fabric`
 
     enum class Gesture { None, Press, Orbit, Pan, Pull } gesture = Gesture::None;
     QPointF pressed;
@@ -70,6 +71,7 @@ struct FabricView::Implementation {
     void look(render::ViewSide side);
     std::optional<geometry::Pick> pickAt(QPointF where) const;
     void hover(int loop);
+    void placeMark();
     void pullTo(QPointF where);
     Vec3f placeOf(fabric::EntryIndex entry) const;
     QString describe(int loop) const;
@@ -148,6 +150,7 @@ void FabricView::Implementation::takePicture() {
     content.scene = std::move(picture->scene);
     shownFabric = std::move(picture->fabric);
     content.camera.setScene(content.scene->bounds);
+    placeMark();
     if ((fitPending || (following && followFit)) && !content.scene->bounds.empty()) {
         fitPending = false;
         content.camera.fit(content.scene->bounds);
@@ -156,7 +159,11 @@ void FabricView::Implementation::takePicture() {
 }
 
 void FabricView::Implementation::changed() {
-    overlay->setMessage(hasGl ? (content.scene ? QString() : tr("No fabric yet")) : glReason);
+    const bool allHasRun = shownFabric && shownFabric->points.empty() && !shownFabric->loops.empty();
+    overlay->setMessage(allHasRun                  ? tr("All of the fabric has run")
+                        : !hasGl                   ? glReason
+                        : content.scene == nullptr ? tr("No fabric yet")
+                                                   : QString());
     canvas->refresh();
 }
 
@@ -197,6 +204,15 @@ Vec3f FabricView::Implementation::placeOf(fabric::EntryIndex entry) const {
     return shownFabric->machinePositions[static_cast<std::size_t>(entry)].cast<float>();
 }
 
+void FabricView::Implementation::placeMark() {
+    const bool known = shownFabric && shownFabric == fabric && selectedPoint >= 0 &&
+                       static_cast<std::size_t>(selectedPoint) < fabric->points.size();
+    content.mark = known
+                       ? std::optional(placeOf(fabric->points[static_cast<std::size_t>(selectedPoint)].entry))
+                       : std::nullopt;
+    overlay->update();
+}
+
 /// The pulled point moves in the plane through where it was caught, parallel to the picture.
 void FabricView::Implementation::pullTo(QPointF where) {
     const render::Camera& camera = content.camera;
@@ -218,6 +234,7 @@ void FabricView::setFabric(std::shared_ptr<const fabric::Fabric> fabric,
     m->fabric = std::move(fabric);
     m->content.looks = std::move(looks);
     m->frame.reset();
+    m->selectedPoint = -1; // its number means another point now
     m->gesture = Implementation::Gesture::None;
     if (m->fabric) {
         m->request();
@@ -270,6 +287,13 @@ void FabricView::setSelection(int loop) {
 
 int FabricView::selection() const {
     return m->content.selected;
+}
+
+void FabricView::setSelectedPoint(int point) {
+    if (point != m->selectedPoint) {
+        m->selectedPoint = point;
+        m->placeMark();
+    }
 }
 
 void FabricView::centreOn(int loop) {
@@ -328,6 +352,7 @@ void FabricView::zoomBy(double factor) {
 
 void FabricView::setOrthographic(bool on) {
     m->content.camera.setOrthographic(on);
+    m->overlay->update();
     m->canvas->refresh();
 }
 
@@ -339,6 +364,15 @@ void FabricView::setDark(bool on) {
     m->content.dark = on;
     m->overlay->update();
     m->canvas->refresh();
+}
+
+void FabricView::setLegend(bool on) {
+    m->content.legend = on;
+    m->overlay->update();
+}
+
+bool FabricView::hasLegend() const {
+    return m->content.legend;
 }
 
 void FabricView::setDragMode(bool on) {
@@ -442,6 +476,7 @@ void FabricView::mouseReleaseEvent(QMouseEvent* event) {
     } else if (gesture == Gesture::Press) {
         const auto pick = m->pickAt(event->position());
         emit loopClicked(pick ? pick->loop : -1);
+        emit pointClicked(pick ? pick->point : -1);
     } else if (gesture == Gesture::None) {
         QWidget::mouseReleaseEvent(event);
     }

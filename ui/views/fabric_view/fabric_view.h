@@ -45,6 +45,9 @@ public:
     void setSelection(int loop);
     int selection() const;
 
+    /// Rings a bonding point (index into Fabric::points); -1 for none. Emits nothing.
+    void setSelectedPoint(int point);
+
     /// Moves the camera so that a loop lies in the middle; keeps direction and zoom.
     void centreOn(int loop);
 
@@ -60,7 +63,9 @@ public:
 
     void setOrthographic(bool on);
     bool isOrthographic() const;
-    void setDark(bool on);     ///< dark or light background
+    void setDark(bool on);   ///< dark or light background
+    void setLegend(bool on); ///< explains the bonding points of the mesh style
+    bool hasLegend() const;
     void setDragMode(bool on); ///< plain left drag pulls bonding points
 
     /// Camera direction, place, zoom and kind of projection. restoreCamera() returns false for foreign bytes.
@@ -78,8 +83,9 @@ public:
     QSize minimumSizeHint() const override;
 
 signals:
-    void loopClicked(int loop);                   ///< -1: clicked beside the yarn
-    void loopHovered(int loop);                   ///< -1: left the yarn
+    void loopClicked(int loop);   ///< -1: clicked beside the yarn
+    void pointClicked(int point); ///< after loopClicked: the bonding point nearest on the yarn, or -1
+    void loopHovered(int loop);   ///< -1: left the yarn
     void dragMoved(int entry, QVector3D pointMm); ///< entry of the bonding point table
     void dragEnded();
     void glFailed(QString reason); ///< once; a sentence for the user

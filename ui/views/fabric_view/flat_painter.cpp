@@ -1,5 +1,7 @@
 #include "ui/views/fabric_view/flat_painter.h"
 
+#include "ui/views/fabric_view/marker_painter.h"
+
 #include <QLinearGradient>
 #include <QPainter>
 #include <QPolygonF>
@@ -51,6 +53,26 @@ QColor colourOf(const CanvasContent& content, const Piece& piece) {
     return {colour.r, colour.g, colour.b};
 }
 
+void paintMarkers(QPainter& painter, QSize size, const CanvasContent& content) {
+    const render::Camera& camera = content.camera;
+    const QColor ground = content.dark ? QColor(37, 40, 44) : QColor(229, 231, 233);
+    const double pixels = markerPixels(camera.millimetresPerPixel());
+    const QRectF seen = QRectF(QPointF(), size).adjusted(-pixels, -pixels, pixels, pixels);
+    const auto onScreen = [&](const Vec3f& place) {
+        const Vec3f p = camera.project(place);
+        return QPointF(p.x(), p.y());
+    };
+    for (const render::Marker& marker : content.scene->markers) {
+        const Vec3f place = Vec3f::Map(marker.place.data());
+        const QPointF centre = onScreen(place);
+        if (seen.contains(centre)) {
+            const auto& way = camera.towardsViewer().z() < 0 ? marker.behind : marker.front;
+            paintMarker(painter, static_cast<render::Marker::Kind>(marker.kind), centre, pixels,
+                        onScreen(place + Vec3f::Map(way.data())) - centre, ground, content.dark);
+        }
+    }
+}
+
 void paintBackground(QPainter& painter, QSize size, bool dark) {
     QLinearGradient gradient(0, 0, 0, size.height());
     gradient.setColorAt(0, dark ? QColor(47, 50, 55) : QColor(244, 245, 246));
@@ -87,6 +109,7 @@ void paintFlat(QPainter& painter, QSize size, const CanvasContent& content) {
             painter.drawPolyline(line);
         }
     }
+    paintMarkers(painter, size, content);
 }
 
 } // namespace knittsim::ui

@@ -1,8 +1,12 @@
 #include "ui/views/fabric_view/overlay.h"
 
+#include "ui/views/fabric_view/marker_painter.h"
+
 #include <QLocale>
 #include <QPainter>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace knittsim::ui {
@@ -12,6 +16,11 @@ namespace {
 constexpr int kMargin = 12;
 constexpr double kScalePixels = 140;
 constexpr float kSeenFlat = 0.15F; ///< cosine to the fabric's normal below which neither face is seen
+
+QColor opaque(QColor colour) {
+    colour.setAlpha(255);
+    return colour;
+}
 
 } // namespace
 
@@ -52,7 +61,11 @@ void Overlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_content.scene) {
+        paintMark(painter);
         paintBadge(painter);
+        if (m_content.legend && m_content.scene->style == render::DrawStyle::Mesh) {
+            paintLegend(painter);
+        }
         paintScale(painter);
         paintAxes(painter);
     }
@@ -71,6 +84,52 @@ void Overlay::paintBadge(QPainter& painter) const {
     painter.drawRoundedRect(box, box.height() / 2.0, box.height() / 2.0);
     painter.setPen(ink());
     painter.drawText(box, Qt::AlignCenter, text);
+}
+
+void Overlay::paintLegend(QPainter& painter) const {
+    struct Row {
+        render::Marker::Kind kind;
+        QString text;
+    };
+    const std::array rows{Row{render::Marker::Bond, tr("foot in a head: a loop drawn through")},
+                          Row{render::Marker::OpenHead, tr("head, nothing through it")},
+                          Row{render::Marker::Crossing, tr("crossing: the unbroken yarn lies in front")}};
+    constexpr int kSymbol = 34;
+    const int height = fontMetrics().height() + 4;
+    int width = 0;
+    for (const Row& row : rows) {
+        width = std::max(width, fontMetrics().horizontalAdvance(row.text));
+    }
+    // Below the badge, which may be missing; so the legend does not jump when the fabric is turned.
+    const QRect box(kMargin, kMargin + fontMetrics().height() + 16, kSymbol + width + 16,
+                    static_cast<int>(rows.size()) * height + 10);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ground());
+    painter.drawRoundedRect(box, 8, 8);
+    QPointF centre(box.left() + kSymbol / 2.0 + 2, box.top() + 5 + height / 2.0);
+    for (const Row& row : rows) {
+        painter.setPen(QPen(ink(), 1.4));
+        const QPointF across(row.kind == render::Marker::Crossing ? 6 : 12,
+                             row.kind == render::Marker::Crossing ? -8 : 0);
+        painter.drawLine(centre - across, centre + across);
+        paintMarker(painter, row.kind, centre, 10, {1, 0.25}, opaque(ground()), m_content.dark);
+        painter.setPen(ink());
+        painter.drawText(QPointF(box.left() + kSymbol + 6, centre.y() + fontMetrics().ascent() / 2.0 - 1),
+                         row.text);
+        centre.ry() += height;
+    }
+}
+
+void Overlay::paintMark(QPainter& painter) const {
+    if (!m_content.mark) {
+        return;
+    }
+    const Vec3f place = m_content.camera.project(*m_content.mark);
+    painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {QPen(ground(), 4.5), QPen(ink(), 2)}) {
+        painter.setPen(pen);
+        painter.drawEllipse(QPointF(place.x(), place.y()), 9, 9);
+    }
 }
 
 void Overlay::paintScale(QPainter& painter) const {
@@ -122,7 +181,8 @@ void Overlay::paintMessage(QPainter& painter) const {
         return;
     }
     const QRect area = rect().adjusted(2 * kMargin, kMargin, -kMargin, -kMargin);
-    const int where = m_content.scene ? Qt::AlignTop | Qt::AlignRight : Qt::AlignCenter;
+    const bool something = m_content.scene && !m_content.scene->bounds.empty();
+    const int where = something ? Qt::AlignTop | Qt::AlignRight : Qt::AlignCenter;
     const QRect text = fontMetrics().boundingRect(area, where | Qt::TextWordWrap, m_message);
     painter.setPen(Qt::NoPen);
     painter.setBrush(ground());

@@ -6,14 +6,15 @@
 
 namespace knittsim::ui {
 
-/// Badge of the side that is seen, scale bar and axes, painted over the picture. Lets all events through.
+/// Badge of the side that is seen, legend of the mesh, scale bar, axes and a ring round the selected bonding
+/// point, painted over the picture. Lets all events through.
 class Overlay : public QWidget {
     Q_OBJECT
 
 public:
     Overlay(QWidget* parent, const CanvasContent& content);
 
-    /// Shown in the middle while there is no fabric, and as a note above the scale bar.
+    /// Shown in the middle while there is nothing to see, and as a note above the scale bar.
     void setMessage(const QString& message);
 
     /// "technical face", "technical back", or empty when the fabric is seen from the side.
@@ -24,6 +25,8 @@ protected:
 
 private:
     void paintBadge(QPainter& painter) const;
+    void paintLegend(QPainter& painter) const;
+    void paintMark(QPainter& painter) const;
     void paintScale(QPainter& painter) const;
     void paintAxes(QPainter& painter) const;
     void paintMessage(QPainter& painter) const;

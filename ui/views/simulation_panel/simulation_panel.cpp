@@ -2,9 +2,11 @@
 
 #include "ui/views/simulation_panel/activity_text.h"
 #include "ui/views/simulation_panel/energy_plot.h"
+#include "ui/views/simulation_panel/ladder_text.h"
 #include "ui/views/style/icons.h"
 #include "ui/views/style/numbers.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QEvent>
@@ -32,8 +34,10 @@ SimulationPanel::SimulationPanel(document::Document& document, QWidget* parent)
     connect(&m_document, &document::Document::frameShown, this, &SimulationPanel::takeFrame);
     connect(&m_document, &document::Document::integratorChanged, this, &SimulationPanel::takeIntegrator);
     connect(&m_document, &document::Document::generationChanged, m_plot, &EnergyPlot::clear);
+    connect(&m_document, &document::Document::ladderChanged, this, &SimulationPanel::takeLadders);
     takeActivity();
     takeIntegrator();
+    takeLadders();
 }
 
 QToolButton* SimulationPanel::addButton(const char* name, const char* iconName, const QString& text,
@@ -66,6 +70,11 @@ void SimulationPanel::build() {
         m_integrator->addItem(integratorName(info), QString::fromUtf8(info.id));
         m_integrator->setItemData(m_integrator->count() - 1, integratorPurpose(info), Qt::ToolTipRole);
     }
+    m_ladders = addButton("removeLadders", "ladder", tr("Remove ladders"), tr("Ctrl+L"));
+    m_ladders->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_holder = new QCheckBox(tr("Stitch holder"), this);
+    m_holder->setObjectName(QStringLiteral("stitchHolder"));
+    m_holder->setToolTip(tr("%1 (Ctrl+Shift+L)").arg(stitchHolderHelp()));
     m_numbers = new QLabel(this);
     m_numbers->setObjectName(QStringLiteral("simulationNumbers"));
     m_plot = new EnergyPlot(this);
@@ -78,11 +87,16 @@ void SimulationPanel::build() {
     buttons->addSpacing(6);
     buttons->addWidget(m_dot);
     buttons->addWidget(m_state, 1);
+    auto* ladders = new QHBoxLayout;
+    ladders->addWidget(m_ladders);
+    ladders->addStretch(1);
+    ladders->addWidget(m_holder);
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(8, 8, 8, 8);
     rows->setSpacing(6);
     rows->addLayout(buttons);
     rows->addWidget(m_integrator);
+    rows->addLayout(ladders);
     rows->addWidget(m_plot, 1);
     rows->addWidget(m_numbers);
 
@@ -90,6 +104,8 @@ void SimulationPanel::build() {
     connect(m_step, &QToolButton::clicked, &m_document, &document::Document::stepSimulation);
     connect(m_restart, &QToolButton::clicked, &m_document, &document::Document::restart);
     connect(m_stop, &QToolButton::clicked, &m_document, &document::Document::stop);
+    connect(m_ladders, &QToolButton::clicked, &m_document, &document::Document::removeLadders);
+    connect(m_holder, &QCheckBox::toggled, &m_document, &document::Document::setStitchHolder);
     connect(m_integrator, &QComboBox::currentIndexChanged, this,
             [this] { m_document.setIntegrator(m_integrator->currentData().toString()); });
 }
@@ -104,8 +120,9 @@ void SimulationPanel::toggleRunning() {
 
 void SimulationPanel::takeActivity() {
     const bool open = m_document.file() != nullptr;
-    for (QToolButton* button : {m_run, m_step, m_restart, m_stop}) {
-        button->setEnabled(open);
+    for (QWidget* control :
+         std::initializer_list<QWidget*>{m_run, m_step, m_restart, m_stop, m_ladders, m_holder}) {
+        control->setEnabled(open);
     }
     const QString run = running() ? tr("Pause") : tr("Start");
     m_run->setIcon(icon(running() ? QStringLiteral("pause") : QStringLiteral("play")));
@@ -148,6 +165,19 @@ void SimulationPanel::takeIntegrator() {
     m_integrator->setCurrentIndex(index);
     m_integrator->setToolTip(
         tr("Integrator. %1").arg(m_integrator->itemData(index, Qt::ToolTipRole).toString()));
+}
+
+void SimulationPanel::takeLadders() {
+    const bool running = m_document.laddersRun();
+    const QString text = running ? tr("Skip to the end") : tr("Remove ladders");
+    m_ladders->setText(text);
+    m_ladders->setAccessibleName(text);
+    m_ladders->setToolTip(running
+                              ? tr("Shows the end of the run at once (Ctrl+L); Escape puts the loops back")
+                              : tr("%1 (Ctrl+L)").arg(removeLaddersHelp()));
+    const QSignalBlocker quiet(m_holder);
+    m_holder->setChecked(m_document.stitchHolder());
+    m_holder->setEnabled(m_document.file() && !running);
 }
 
 void SimulationPanel::changeEvent(QEvent* event) {

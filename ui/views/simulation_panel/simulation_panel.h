@@ -4,6 +4,7 @@
 
 #include <QWidget>
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QToolButton;
@@ -28,6 +29,7 @@ private:
     void takeActivity();
     void takeFrame();
     void takeIntegrator();
+    void takeLadders();
     bool running() const { return m_document.activity() == document::Activity::Settling; }
     void changeEvent(QEvent* event) override;
 
@@ -39,6 +41,8 @@ private:
     QToolButton* m_restart = nullptr;
     QToolButton* m_stop = nullptr;
     QComboBox* m_integrator = nullptr;
+    QToolButton* m_ladders = nullptr;
+    QCheckBox* m_holder = nullptr;
     QLabel* m_numbers = nullptr;
     EnergyPlot* m_plot = nullptr;
 };

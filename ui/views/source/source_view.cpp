@@ -52,10 +52,8 @@ void SourceView::takeSelection() {
     if (!file) {
         return;
     }
-    if (m_failed && m_document.selection().line > 0) {
-        m_failed = false;
-        m_text = file->source;
-        layoutText();
+    if (m_document.selection().line > 0) {
+        showOpenFile();
     }
     const auto step = static_cast<std::size_t>(m_document.step());
     const auto& operations = file->timeline->program().operations;
@@ -63,6 +61,19 @@ void SourceView::takeSelection() {
     if (!m_failed) {
         goToLine(m_document.selection().line);
     }
+}
+
+void SourceView::showOpenFile() {
+    if (m_failed) {
+        m_failed = false;
+        m_text = m_document.file()->source;
+        layoutText();
+    }
+}
+
+void SourceView::showLine(int line) {
+    showOpenFile();
+    goToLine(line);
 }
 
 void SourceView::showProblemLine(int line) {

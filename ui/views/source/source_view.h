@@ -15,6 +15,9 @@ class SourceView : public QAbstractScrollArea {
 public:
     explicit SourceView(document::Document& document, QWidget* parent = nullptr);
 
+    /// Shows a line of the open file; selects nothing.
+    void showLine(int line);
+
     /// Shows a line of the file whose problems are listed: the failed one where there is one.
     void showProblemLine(int line);
 
@@ -36,6 +39,7 @@ private:
     void takeFile();
     void takeSelection();
     void layoutText();
+    void showOpenFile();
     void goToLine(int line);
     void selectLine(int line);
     void paintLine(QPainter& painter, int number, const QRect& rect) const;
