@@ -18,7 +18,11 @@ struct Nodes {
     std::int32_t first = -1;
     std::int32_t middle = -1;
     std::int32_t last = -1;
+    std::int32_t spanFirst = -1; ///< of the part that is closed with a chord
+    std::int32_t spanLast = -1;
 };
+
+constexpr float kSpanLegs = 1.2F; ///< the longer half of a loop counts up to so much of the shorter one
 
 /// Does the segment cross the triangle? +1 along the normal (b - a) x (c - a), -1 against it, 0 not.
 int pierce(const Vec3& from, const Vec3& to, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -45,6 +49,9 @@ public:
         : m_fabric(fabric), m_curves(curves), m_nodes(fabric.loops.size()) {
         for (std::size_t n = 0; n < curves.piece.size(); ++n) {
             add(static_cast<std::int32_t>(n));
+        }
+        for (Nodes& nodes : m_nodes) {
+            trim(nodes);
         }
     }
 
@@ -83,6 +90,23 @@ private:
         }
     }
 
+    /// The span of a loop ends at its legs: the yarn that turns or floats on from there does not belong to it.
+    void trim(Nodes& nodes) const {
+        if (nodes.middle < 0) {
+            return;
+        }
+        const auto arc = [&](std::int32_t n) { return m_curves.arc[static_cast<std::size_t>(n)]; };
+        nodes.spanFirst = nodes.first;
+        nodes.spanLast = nodes.last;
+        const float leg = kSpanLegs * std::min(arc(nodes.middle) - arc(nodes.first), arc(nodes.last) - arc(nodes.middle));
+        while (arc(nodes.middle) - arc(nodes.spanFirst) > leg) {
+            ++nodes.spanFirst;
+        }
+        while (arc(nodes.spanLast) - arc(nodes.middle) > leg) {
+            --nodes.spanLast;
+        }
+    }
+
     Vec3 at(std::int32_t node) const { return m_curves.nodes[static_cast<std::size_t>(node)].cast<double>(); }
 
     PullThrough test(LoopIndex loop, LoopIndex parent) const {
@@ -92,23 +116,37 @@ private:
         if (own.middle < 0 || old.middle < 0) {
             return found;
         }
+        // Where a loop is twisted a fan can fold: another apex spans it as well.
         Vec3 centre = Vec3::Zero();
-        for (std::int32_t n = old.first; n <= old.last; ++n) {
+        for (std::int32_t n = old.spanFirst; n <= old.spanLast; ++n) {
             centre += at(n);
         }
-        centre /= static_cast<double>(old.last - old.first + 1);
-        // The fan turns clockwise seen from the front when the yarn ran rightward.
-        const bool rightward =
-            m_fabric.made.loops[static_cast<std::size_t>(parent)].direction == machine::Direction::Right;
-        const int front = rightward ? -1 : 1;
-        for (std::int32_t n = own.first; n < own.last; ++n) {
-            int& count = n + 1 < own.middle ? found.in : found.out;
-            for (std::int32_t k = old.first; k <= old.last; ++k) {
-                const Vec3 next = k == old.last ? at(old.first) : at(k + 1);
-                count += front * pierce(at(n), at(n + 1), centre, at(k), next);
+        centre /= static_cast<double>(old.spanLast - old.spanFirst + 1);
+        const Vec3 chord = 0.5 * (at(old.spanFirst) + at(old.spanLast));
+        const Vec3 head = at(old.middle);
+        const int sign = pullSign(m_fabric, loop);
+        for (const Vec3& apex : {centre, Vec3(0.5 * (chord + head)), chord, head}) {
+            count(found, own, old, apex);
+            if (found.in == sign && found.out == -sign) {
+                break;
             }
         }
         return found;
+    }
+
+    void count(PullThrough& found, const Nodes& own, const Nodes& old, const Vec3& apex) const {
+        // The fan turns clockwise seen from the front when the yarn ran rightward.
+        const bool rightward = m_fabric.made.loops[static_cast<std::size_t>(found.parent)].direction ==
+                               machine::Direction::Right;
+        const int front = rightward ? -1 : 1;
+        found.in = found.out = 0;
+        for (std::int32_t n = own.first; n < own.last; ++n) {
+            int& sum = n + 1 < own.middle ? found.in : found.out;
+            for (std::int32_t k = old.spanFirst; k <= old.spanLast; ++k) {
+                const Vec3 next = k == old.spanLast ? at(old.spanFirst) : at(k + 1);
+                sum += front * pierce(at(n), at(n + 1), apex, at(k), next);
+            }
+        }
     }
 
     const fabric::Fabric& m_fabric;
