@@ -13,8 +13,8 @@ constexpr double kSamePlace = 0.1; ///< pitches
 /// Puts the crossings where their two strands can meet.
 class Placer {
 public:
-    Placer(Fabric& fabric, double height, const std::vector<WalePlace>& wales)
-        : m_fabric(fabric), m_height(height), m_wales(wales), m_level(passLevels(fabric)) {}
+    Placer(Fabric& fabric, const CourseHeights& heights, const std::vector<WalePlace>& wales)
+        : m_fabric(fabric), m_heights(heights), m_wales(wales), m_level(passLevels(fabric)) {}
 
     void run() {
         m_wish.assign(m_fabric.points.size(), Vec3::Zero());
@@ -39,7 +39,8 @@ private:
         if (floatA != (point(b).piece == Piece::Float)) {
             const Vec3& onFloat = floatA ? wishA : wishB;
             place.x() = floatA ? wishB.x() : wishA.x();
-            place.y() = std::clamp(place.y(), onFloat.y() - 0.5 * m_height, onFloat.y() + 0.5 * m_height);
+            place.y() = std::clamp(place.y(), onFloat.y() - 0.5 * m_heights.courseMm(),
+                                   onFloat.y() + 0.5 * m_heights.courseMm());
         }
         return place;
     }
@@ -77,8 +78,8 @@ private:
                     continue;
                 }
                 PointIndex last = p;
-                while (last < end && point(last).role == Role::Crossing && point(last).piece == point(p).piece &&
-                       point(last).loop == point(p).loop) {
+                while (last < end && point(last).role == Role::Crossing &&
+                       point(last).piece == point(p).piece && point(last).loop == point(p).loop) {
                     ++last;
                 }
                 wishRun(p, last);
@@ -128,12 +129,13 @@ private:
         const double level = m_fabric.loops[latest].course + static_cast<double>(m_level[latest]);
         m_wish[static_cast<std::size_t>(p)] = {
             static_cast<double>(crossing.place) * m_fabric.pitchMm,
-            std::clamp(level * m_height, std::min(fromY, toY), std::max(fromY, toY)), 0};
+            std::clamp(m_heights.at(level), std::min(fromY, toY), std::max(fromY, toY)), 0};
     }
 
     Side outOf(LoopIndex index) const {
-        return m_fabric.made.loops[static_cast<std::size_t>(index)].direction == Direction::Right ? Side::Right
-                                                                                                  : Side::Left;
+        return m_fabric.made.loops[static_cast<std::size_t>(index)].direction == Direction::Right
+                   ? Side::Right
+                   : Side::Left;
     }
 
     /// Where a leg begins: at its foot, or as far below its head as a foot would be. Of the yarns of one
@@ -148,12 +150,12 @@ private:
         const double level = l.course + static_cast<double>(m_level[static_cast<std::size_t>(index)]);
         const WalePlace& wale = m_wales[static_cast<std::size_t>(index)];
         below.x() = (wale.centre + (side == Side::Left ? -1 : 1) * wale.halfWidth) * m_fabric.pitchMm;
-        below.y() = std::min(level * m_height, below.y() - 0.5 * m_height);
+        below.y() = std::min(m_heights.at(level), below.y() - 0.5 * m_heights.courseMm());
         return below;
     }
 
     Fabric& m_fabric;
-    double m_height;
+    const CourseHeights& m_heights;
     const std::vector<WalePlace>& m_wales; ///< by loop, where the yarn was laid
     std::vector<Vec3> m_wish;              ///< by point
     std::vector<float> m_level;
@@ -162,8 +164,8 @@ private:
 
 } // namespace
 
-void placeCrossings(Fabric& fabric, double height, const std::vector<WalePlace>& wales) {
-    Placer(fabric, height, wales).run();
+void placeCrossings(Fabric& fabric, const CourseHeights& heights, const std::vector<WalePlace>& wales) {
+    Placer(fabric, heights, wales).run();
 }
 
 } // namespace knittsim::fabric

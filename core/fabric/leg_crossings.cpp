@@ -17,7 +17,8 @@ std::span<const Piece> fromLeft(Strand::Kind kind) {
     return kFloat;
 }
 
-/// Of a leg from the middle of its needle, pitches; little, so that wales a fraction of a pitch apart stay apart.
+/// Of a leg from the middle of its needle, pitches; little, so that wales a fraction of a pitch apart stay
+/// apart.
 float offset(Piece piece) {
     return piece == Piece::Float ? 0 : piece == Piece::LeftLeg ? -0.1F : 0.1F;
 }
@@ -82,8 +83,8 @@ void LegCrossings::add(const Passing& passing, LoopIndex over, LoopIndex under) 
             const Piece a = passing.sign > 0 ? overs[overs.size() - 1 - i] : overs[i];
             const Piece b = passing.sign > 0 ? unders[k] : unders[unders.size() - 1 - k];
             const float aside = offset(a) + offset(b);
-            m_crossings.push_back({number(over, a), number(under, b), passing.operation, passing.sign,
-                                   passing.place + aside});
+            m_crossings.push_back(
+                {number(over, a), number(under, b), passing.operation, passing.sign, passing.place + aside});
         }
     }
 }

@@ -1,5 +1,6 @@
 #include "core/fabric/machine_shape.h"
 
+#include "core/fabric/course_heights.h"
 #include "core/fabric/crossing_places.h"
 #include "core/fabric/wale_places.h"
 
@@ -9,17 +10,7 @@ namespace knittsim::fabric {
 
 namespace {
 
-/// Height of one course under take-down: the legs of a loop that spans a needle pitch.
-double courseHeight(const Fabric& fabric) {
-    double sum = 0;
-    for (const machine::Loop& loop : fabric.made.loops) {
-        sum += loop.lengthMm;
-    }
-    const double length = sum / static_cast<double>(std::max<std::size_t>(1, fabric.made.loops.size()));
-    return std::clamp((length - fabric.pitchMm) / 2, 0.15 * length, 0.4 * length);
-}
-
-constexpr double kGapInCourses = 0.7;
+constexpr double kGapInCourses = 0.6;
 
 /// By loop: how high its heads lie, in courses. A held loop stretches up to the loop that comes through it.
 std::vector<std::int32_t> topCourses(const Fabric& fabric) {
@@ -37,10 +28,10 @@ std::vector<std::int32_t> topCourses(const Fabric& fabric) {
     return tops;
 }
 
-void placeHeads(Fabric& fabric, const machine::MachineProfile& profile, double height,
+void placeHeads(Fabric& fabric, const machine::MachineProfile& profile, const CourseHeights& heights,
                 const std::vector<WalePlace>& wales) {
     // Below the beds the take-down draws the two sides together.
-    const double gap = std::min(profile.bedGapMm, kGapInCourses * height);
+    const double gap = std::min(profile.bedGapMm, kGapInCourses * heights.courseMm());
     const std::vector<std::int32_t> tops = topCourses(fabric);
     for (std::size_t i = 0; i < fabric.loops.size(); ++i) {
         const Loop& loop = fabric.loops[i];
@@ -49,7 +40,7 @@ void placeHeads(Fabric& fabric, const machine::MachineProfile& profile, double h
             Vec3& place = fabric.machinePositions[static_cast<std::size_t>(
                 fabric.points[static_cast<std::size_t>(point)].entry)];
             // Heads that share a place lie at the height of the highest there.
-            const double y = std::max(place.y(), tops[i] * height);
+            const double y = std::max(place.y(), heights.at(tops[i]));
             place = {(wales[i].centre + side * wales[i].halfWidth) * fabric.pitchMm, y, z};
         }
     }
@@ -59,11 +50,11 @@ void placeHeads(Fabric& fabric, const machine::MachineProfile& profile, double h
 
 void layOutOnMachine(Fabric& fabric, const machine::MachineProfile& profile) {
     fabric.machinePositions.assign(static_cast<std::size_t>(fabric.entryCount), Vec3::Zero());
-    const double height = courseHeight(fabric);
-    fabric.courseMm = height;
+    const CourseHeights heights(fabric);
+    fabric.courseMm = heights.courseMm();
     const WalePlaces wales = walePlaces(fabric);
-    placeHeads(fabric, profile, height, wales.bound);
-    placeCrossings(fabric, height, wales.made);
+    placeHeads(fabric, profile, heights, wales.bound);
+    placeCrossings(fabric, heights, wales.made);
 }
 
 } // namespace knittsim::fabric

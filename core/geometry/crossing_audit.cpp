@@ -23,8 +23,8 @@ struct Event {
     CurvePiece b;
     bool aOver = false;
     int sign = 0;
-    float place = 0; ///< along a, with time
-    PointIndex over = -1;  ///< bonding points that the strands are nearest to
+    float place = 0;      ///< along a, with time
+    PointIndex over = -1; ///< bonding points that the strands are nearest to
     PointIndex under = -1;
     std::int32_t node = -1;
     std::size_t index = 0; ///< of the projected crossing
@@ -35,7 +35,8 @@ public:
     Auditor(const Fabric& fabric, const YarnCurves& curves) : m_fabric(fabric), m_curves(curves) {
         m_next.assign(fabric.loops.size(), -1);
         for (std::size_t i = 0; i < fabric.loops.size(); ++i) {
-            for (const machine::LoopIndex parent : fabric.made.parentsOf(static_cast<machine::LoopIndex>(i))) {
+            for (const machine::LoopIndex parent :
+                 fabric.made.parentsOf(static_cast<machine::LoopIndex>(i))) {
                 m_next[static_cast<std::size_t>(parent)] = static_cast<machine::LoopIndex>(i);
             }
         }
@@ -117,14 +118,15 @@ private:
             return;
         }
         const int sign = crossing.sign * timeSense(over) * timeSense(under);
-        const float onOver = static_cast<float>(timeSense(over)) *
-                             (static_cast<float>(crossing.over) + crossing.overShare);
-        const float onUnder = static_cast<float>(timeSense(under)) *
-                              (static_cast<float>(crossing.under) + crossing.underShare);
+        const float onOver =
+            static_cast<float>(timeSense(over)) * (static_cast<float>(crossing.over) + crossing.overShare);
+        const float onUnder =
+            static_cast<float>(timeSense(under)) * (static_cast<float>(crossing.under) + crossing.underShare);
         if (over < under) {
             m_found.push_back({over, under, true, sign, onOver, overPoint, underPoint, crossing.over, index});
         } else {
-            m_found.push_back({under, over, false, sign, onUnder, overPoint, underPoint, crossing.under, index});
+            m_found.push_back(
+                {under, over, false, sign, onUnder, overPoint, underPoint, crossing.under, index});
         }
     }
 
@@ -195,8 +197,8 @@ private:
         std::size_t w = 0;
         while (f < m_found.size() || w < m_wanted.size()) {
             const auto key = [](const Event& e) { return std::tie(e.a, e.b); };
-            const bool takeFound = w == m_wanted.size() ||
-                                   (f < m_found.size() && key(m_found[f]) <= key(m_wanted[w]));
+            const bool takeFound =
+                w == m_wanted.size() || (f < m_found.size() && key(m_found[f]) <= key(m_wanted[w]));
             const Event& head = takeFound ? m_found[f] : m_wanted[w];
             std::size_t fEnd = f;
             while (fEnd < m_found.size() && key(m_found[fEnd]) == key(head)) {

@@ -18,9 +18,9 @@ struct CurvePiece {
 /// What the crossings of two pieces are and what they should be.
 struct CrossingFault {
     enum class Kind {
-        Missing,   ///< a recorded crossing or a loop drawn through another is not there
+        Missing,     ///< a recorded crossing or a loop drawn through another is not there
         Unexplained, ///< strands cross of which nothing says who is in front
-        WrongOrder ///< the layers say who is in front, and it is the other one
+        WrongOrder   ///< the layers say who is in front, and it is the other one
     } kind = Kind::Missing;
     CurvePiece a;
     CurvePiece b;

@@ -37,7 +37,8 @@ public:
     /// By control point: bonding point whose leg, float or half sinker begins there.
     const std::vector<fabric::PointIndex>& pieceOfControl() const { return m_pieceOfControl; }
 
-    /// By control point: mm that it is raised along the normal of the fabric, besides what its place asks for.
+    /// By control point: mm that it is raised along the normal of the fabric, besides what its place asks
+    /// for.
     std::vector<float>& lift() { return m_lift; }
 
     /// Writes all control points, the two beyond the ends of each yarn included.

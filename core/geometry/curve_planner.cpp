@@ -41,11 +41,11 @@ constexpr float kBellyGain = 0.30F;
 constexpr float kBellyMost = 0.10F;
 constexpr float kFloatGain = 0.25F;
 constexpr float kFloatMost = 0.4F;
-constexpr float kArcLeast = 0.35F;      ///< diameters
+constexpr float kArcLeast = 0.35F; ///< diameters
 
 constexpr double kSteepCourses = 0.75; ///< a float that rises by more runs up the selvedge
 constexpr double kBesideEdge = 0.1;    ///< pitches
-constexpr double kFarPitches = 1.2; ///< corners farther apart across are joined by a float or a long leg
+constexpr double kFarPitches = 1.2;    ///< corners farther apart across are joined by a float or a long leg
 
 float sideSign(fabric::Side side) {
     return side == fabric::Side::Right ? 1.0F : -1.0F;
@@ -99,8 +99,10 @@ CurvePlanner::Station CurvePlanner::stationAt(PointIndex p) const {
 fabric::EntryIndex CurvePlanner::footBeside(machine::LoopIndex of, bool before) const {
     const fabric::Loop& own = loop(of);
     for (const int step : {before ? -1 : 1, before ? 1 : -1}) {
-        PointIndex p = step < 0 ? std::min(own.headLeft, own.headRight) : std::max(own.headLeft, own.headRight);
-        while (p >= m_yarnFirst && p < m_yarnEnd && (point(p).loop == of || point(p).role == Role::Crossing)) {
+        PointIndex p =
+            step < 0 ? std::min(own.headLeft, own.headRight) : std::max(own.headLeft, own.headRight);
+        while (p >= m_yarnFirst && p < m_yarnEnd &&
+               (point(p).loop == of || point(p).role == Role::Crossing)) {
             p += step;
         }
         if (p >= m_yarnFirst && p < m_yarnEnd && point(p).role == Role::Foot &&
@@ -114,7 +116,8 @@ fabric::EntryIndex CurvePlanner::footBeside(machine::LoopIndex of, bool before) 
 /// The base of the leg that `onLeg` lies on.
 CurvePlanner::Station CurvePlanner::baseOf(const Station& onLeg, PointIndex owner) const {
     const fabric::Loop& l = loop(onLeg.loop);
-    const PointIndex head = onLeg.incoming ? std::min(l.headLeft, l.headRight) : std::max(l.headLeft, l.headRight);
+    const PointIndex head =
+        onLeg.incoming ? std::min(l.headLeft, l.headRight) : std::max(l.headLeft, l.headRight);
     Station base = stationAt(head);
     base.kind = Station::Kind::Base;
     base.self = onLeg.point;
@@ -128,9 +131,9 @@ CurvePlanner::Station CurvePlanner::baseOf(const Station& onLeg, PointIndex owne
         base.anchor.drop = kShortestLeg;
     }
     const fabric::WalePlace& wale = m_wales[static_cast<std::size_t>(onLeg.loop)];
-    const double x = (wale.centre + static_cast<double>(sideSign(base.side)) * wale.halfWidth) * m_fabric.pitchMm;
-    base.anchor.acrossMm = static_cast<float>(
-        x - placeOf(base).x());
+    const double x =
+        (wale.centre + static_cast<double>(sideSign(base.side)) * wale.halfWidth) * m_fabric.pitchMm;
+    base.anchor.acrossMm = static_cast<float>(x - placeOf(base).x());
     base.lower = base.upper = -0.5F * static_cast<float>(pullSign(m_fabric, onLeg.loop)) * m_diameter;
     return base;
 }
@@ -167,7 +170,8 @@ bool CurvePlanner::isSteep(const Station& a, const Station& b) const {
     const Vec3& to = placeOf(b);
     const double across = std::abs(from.x() - to.x());
     const double along = std::abs(from.y() - to.y());
-    return across < kBesideEdge * m_fabric.pitchMm || along > std::max(across, kSteepCourses * m_fabric.courseMm);
+    return across < kBesideEdge * m_fabric.pitchMm ||
+           along > std::max(across, kSteepCourses * m_fabric.courseMm);
 }
 
 /// The yarn turns round, at a selvedge or from one bed to the other.

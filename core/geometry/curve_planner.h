@@ -39,7 +39,9 @@ private:
     const fabric::BondingPoint& point(fabric::PointIndex p) const {
         return m_fabric.points[static_cast<std::size_t>(p)];
     }
-    const fabric::Loop& loop(machine::LoopIndex l) const { return m_fabric.loops[static_cast<std::size_t>(l)]; }
+    const fabric::Loop& loop(machine::LoopIndex l) const {
+        return m_fabric.loops[static_cast<std::size_t>(l)];
+    }
     const Vec3& placeOf(fabric::EntryIndex entry) const {
         return m_fabric.machinePositions[static_cast<std::size_t>(entry)];
     }
@@ -48,7 +50,9 @@ private:
     bool isSteep(const Station& a, const Station& b) const;
     static bool isTurn(const Station& a, const Station& b);
     bool isKink(const Station& a, const Station& b) const;
-    float stored(const Station& a) const { return static_cast<float>(m_fabric.lengths[static_cast<std::size_t>(a.point)]); }
+    float stored(const Station& a) const {
+        return static_cast<float>(m_fabric.lengths[static_cast<std::size_t>(a.point)]);
+    }
 
     std::int32_t newControl(const Station& owner, const Station& piece);
     void addEnd();
@@ -70,7 +74,7 @@ private:
     std::span<const double> m_diameterMm;
     CurvePlan& m_plan;
     std::vector<StrandDepth> m_depths;
-    std::vector<float> m_levels; ///< by loop, see passLevels()
+    std::vector<float> m_levels;            ///< by loop, see passLevels()
     std::vector<fabric::WalePlace> m_wales; ///< by loop, where the yarn was laid
     std::vector<Station> m_stations;
     fabric::PointIndex m_yarnFirst = 0; ///< of the yarn at hand

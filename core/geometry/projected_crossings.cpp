@@ -53,7 +53,8 @@ std::vector<ProjectedCrossing> projectCrossings(const YarnCurves& curves) {
                          std::max(s.from.x(), to.x()), std::max(s.from.y(), to.y())});
         length += static_cast<double>(s.way.head<2>().norm());
     }
-    const auto mean = static_cast<float>(length / static_cast<double>(std::max<std::size_t>(1, segments.size())));
+    const auto mean =
+        static_cast<float>(length / static_cast<double>(std::max<std::size_t>(1, segments.size())));
     const SegmentGrid grid(boxes, std::max(2 * mean, 1e-3F));
 
     std::vector<ProjectedCrossing> crossings;

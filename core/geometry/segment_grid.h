@@ -68,11 +68,11 @@ private:
 
     std::int32_t cell(float coordinate) const {
         constexpr float kFarthest = 1e9F;
-        return static_cast<std::int32_t>(
-            std::clamp(std::floor(coordinate * m_scale), -kFarthest, kFarthest));
+        return static_cast<std::int32_t>(std::clamp(std::floor(coordinate * m_scale), -kFarthest, kFarthest));
     }
     static std::uint64_t key(std::int32_t x, std::int32_t y) {
-        return static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 32 | static_cast<std::uint32_t>(y);
+        return static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 32 |
+               static_cast<std::uint32_t>(y);
     }
 
     float m_scale;

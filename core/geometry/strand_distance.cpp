@@ -57,8 +57,9 @@ StrandDistance smallestDistance(const YarnCurves& curves, double limitMm, double
             return;
         }
         if (yarns[i] == yarns[k] &&
-            (std::abs(a - b) < 3 || std::abs(curves.arc[static_cast<std::size_t>(a)] - curves.arc[static_cast<std::size_t>(b)]) <
-                static_cast<float>(apartMm))) {
+            (std::abs(a - b) < 3 ||
+             std::abs(curves.arc[static_cast<std::size_t>(a)] - curves.arc[static_cast<std::size_t>(b)]) <
+                 static_cast<float>(apartMm))) {
             return;
         }
         const double mm = segmentDistance(at(a), at(a + 1) - at(a), at(b), at(b + 1) - at(b));

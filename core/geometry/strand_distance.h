@@ -6,7 +6,7 @@ namespace knittsim::geometry {
 
 /// Where two strands come nearest to each other.
 struct StrandDistance {
-    double mm = 0;         ///< between centrelines; `limitMm` when none are nearer
+    double mm = 0;           ///< between centrelines; `limitMm` when none are nearer
     std::int32_t nodeA = -1; ///< nodes before the nearest places, -1 for none
     std::int32_t nodeB = -1;
 };

@@ -90,7 +90,8 @@ private:
         }
     }
 
-    /// The span of a loop ends at its legs: the yarn that turns or floats on from there does not belong to it.
+    /// The span of a loop ends at its legs: the yarn that turns or floats on from there does not belong to
+    /// it.
     void trim(Nodes& nodes) const {
         if (nodes.middle < 0) {
             return;
@@ -98,7 +99,8 @@ private:
         const auto arc = [&](std::int32_t n) { return m_curves.arc[static_cast<std::size_t>(n)]; };
         nodes.spanFirst = nodes.first;
         nodes.spanLast = nodes.last;
-        const float leg = kSpanLegs * std::min(arc(nodes.middle) - arc(nodes.first), arc(nodes.last) - arc(nodes.middle));
+        const float leg =
+            kSpanLegs * std::min(arc(nodes.middle) - arc(nodes.first), arc(nodes.last) - arc(nodes.middle));
         while (arc(nodes.middle) - arc(nodes.spanFirst) > leg) {
             ++nodes.spanFirst;
         }

@@ -21,7 +21,8 @@ std::array<float, 4> splineWeights(float t) {
 
 YarnCurveBuilder::YarnCurveBuilder(const fabric::Fabric& fabric, std::span<const double> diameterMm,
                                    const CurveOptions& options)
-    : m_options(options), m_diameterMm(diameterMm.begin(), diameterMm.end()), m_frames(fabric), m_plan(fabric, diameterMm) {
+    : m_options(options), m_diameterMm(diameterMm.begin(), diameterMm.end()), m_frames(fabric),
+      m_plan(fabric, diameterMm) {
     const int samples = std::clamp(options.samplesPerSegment, 1, 32);
     for (int i = 0; i < samples; ++i) {
         m_weights.push_back(splineWeights(static_cast<float>(i) / static_cast<float>(samples)));

@@ -12,9 +12,10 @@ namespace knittsim::geometry {
 struct YarnCurves {
     std::vector<Vec3f> nodes;              ///< yarn after yarn, mm
     std::vector<fabric::PointIndex> point; ///< by node: bonding point at or before it
-    std::vector<fabric::PointIndex> piece; ///< by node: bonding point whose leg, float or half sinker it is on
-    std::vector<float> arc;                ///< by node: arc length along its yarn, mm
-    std::vector<Vec3f> normal;             ///< by node: about unit, the fabric's own; empty unless asked for
+    std::vector<fabric::PointIndex>
+        piece;                 ///< by node: bonding point whose leg, float or half sinker it is on
+    std::vector<float> arc;    ///< by node: arc length along its yarn, mm
+    std::vector<Vec3f> normal; ///< by node: about unit, the fabric's own; empty unless asked for
     std::vector<float> height; ///< by node: mm over the smoothed fabric along normal; empty likewise
     struct Range {
         std::int32_t first = 0;

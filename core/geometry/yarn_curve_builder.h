@@ -19,8 +19,8 @@ public:
     /// Curves at `positions` (3 per entry, mm). Valid until the next call.
     const YarnCurves& update(std::span<const float> positions);
 
-    /// Raises and lowers strands at `positions` (a shape that lies flat, such as the machine's) until at every
-    /// crossing of the projection the strand that the fabric's books name lies in front by at least
+    /// Raises and lowers strands at `positions` (a shape that lies flat, such as the machine's) until at
+    /// every crossing of the projection the strand that the fabric's books name lies in front by at least
     /// kLeastGap diameters; later updates keep that. Returns the number of rounds it took, -1 when crossings
     /// remain that nothing can mend (see CrossingAudit). Some tenths of a second for 10,000 loops.
     int separate(const fabric::Fabric& fabric, std::span<const float> positions);
@@ -41,7 +41,7 @@ private:
     std::vector<ControlValue> m_controls;
     std::vector<std::int32_t>
         m_nodeOfControl; ///< first node of the span that begins at a control, -1 for none
-    std::vector<std::size_t> m_controlOfNode; ///< at or before
+    std::vector<std::size_t> m_controlOfNode;    ///< at or before
     std::vector<std::array<float, 4>> m_weights; ///< by sample of a span
     YarnCurves m_curves;
 };
