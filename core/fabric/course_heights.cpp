@@ -7,8 +7,9 @@ namespace knittsim::fabric {
 
 namespace {
 
-constexpr double kWithFloats = 1.35; ///< heights of a plain course
-constexpr double kWithMoves = 1.75;
+constexpr double kPlainShare = 0.18; ///< of the loop length: what is left of a leg between its bonding points
+constexpr double kWithFloats = 1.5; ///< heights of a plain course
+constexpr double kWithMoves = 1.95;
 constexpr double kMoved = 0.5; ///< pitches
 
 double plainHeight(const Fabric& fabric) {
@@ -16,7 +17,7 @@ double plainHeight(const Fabric& fabric) {
     for (const machine::Loop& loop : fabric.made.loops) {
         sum += loop.lengthMm;
     }
-    return kCourseShare * sum / static_cast<double>(std::max<std::size_t>(1, fabric.made.loops.size()));
+    return kPlainShare * sum / static_cast<double>(std::max<std::size_t>(1, fabric.made.loops.size()));
 }
 
 } // namespace

@@ -11,6 +11,8 @@ namespace {
 
 constexpr float kWidestClasp = 0.30F;  ///< in chords
 constexpr float kHighestClasp = 0.20F; ///< in rises
+constexpr float kFitRate = 0.4F;       ///< smaller is slower and safer
+constexpr float kLeastSquare = 1e-6F;  ///< mm^2
 constexpr float kLongestReach = 0.33F; ///< of the way
 
 std::size_t at(fabric::EntryIndex entry) {
@@ -82,16 +84,37 @@ void CurvePlan::placeCorners(const FrameField& frames, std::vector<ControlValue>
     }
 }
 
+/// How much longer the yarn of an arc is than its chord, mm across.
+float CurvePlan::slack(const FrameField& frames, const Arc& arc) {
+    const float distance2 = (placeOf(frames, arc.to) - placeOf(frames, arc.from)).squaredNorm();
+    return std::sqrt(std::max(0.0F, arc.storedMm * arc.storedMm - distance2));
+}
+
+float CurvePlan::amplitude(const FrameField& frames, const Arc& arc, float slackMm) {
+    const float rise = 0.5F * (frames.rise()[at(arc.from.entry)] + frames.rise()[at(arc.to.entry)]);
+    return std::clamp(arc.gain * slackMm, arc.leastMm, std::max(arc.leastMm, arc.mostRise * rise));
+}
+
+void CurvePlan::fitArcs(const FrameField& frames, std::span<const float> lengthMm) {
+    for (Arc& arc : m_arcs) {
+        const auto point = static_cast<std::size_t>(m_pointOfControl[static_cast<std::size_t>(arc.control)]);
+        const float slackMm = slack(frames, arc);
+        if (arc.gain > 0 && slackMm > 0 && lengthMm[point] > 0) {
+            // The curve gets longer with about the square of the amplitude.
+            const float now = amplitude(frames, arc, slackMm);
+            const float missing = arc.storedMm * arc.storedMm - lengthMm[point] * lengthMm[point];
+            arc.gain = std::sqrt(std::max(kLeastSquare, now * now + kFitRate * missing)) / slackMm;
+        }
+    }
+}
+
 void CurvePlan::placeArcs(const FrameField& frames, std::vector<ControlValue>& controls) const {
     for (const Arc& arc : m_arcs) {
         const std::size_t a = at(arc.from.entry);
         const std::size_t b = at(arc.to.entry);
         const Vec3f from = placeOf(frames, arc.from);
         const Vec3f to = placeOf(frames, arc.to);
-        const float distance2 = (to - from).squaredNorm();
-        const float slack = std::sqrt(std::max(0.0F, arc.storedMm * arc.storedMm - distance2));
-        const float most = std::max(arc.leastMm, arc.mostRise * 0.5F * (frames.rise()[a] + frames.rise()[b]));
-        const float amplitude = std::clamp(arc.gain * slack, arc.leastMm, most);
+        const float out = amplitude(frames, arc, slack(frames, arc));
         const float s = arc.share;
         const auto blend = [&](const std::vector<Vec3f>& field) -> Vec3f {
             return (1 - s) * field[a] + s * field[b];
@@ -99,8 +122,8 @@ void CurvePlan::placeArcs(const FrameField& frames, std::vector<ControlValue>& c
         const Vec3f normal = blend(frames.normal());
         const Vec3f side = arc.acrossSide * blend(frames.across()) + arc.alongSide * blend(frames.along());
         const float relief = (1 - s) * frames.relief()[a] + s * frames.relief()[b];
-        put(controls, arc.control, (1 - s) * from + s * to + amplitude * side + arc.out * normal,
-            relief + arc.out, normal);
+        put(controls, arc.control, (1 - s) * from + s * to + out * side + arc.out * normal, relief + arc.out,
+            normal);
     }
 }
 

@@ -41,12 +41,19 @@ public:
     /// for.
     std::vector<float>& lift() { return m_lift; }
 
+    /// Makes arcs stand out more or less, so that the yarn between bonding points comes nearer to its stored
+    /// length. `lengthMm` by bonding point: of the curve from there to the next one at the shape of `frames`.
+    void fitArcs(const FrameField& frames, std::span<const float> lengthMm);
+
     /// Writes all control points, the two beyond the ends of each yarn included.
     void place(const FrameField& frames, std::vector<ControlValue>& controls) const;
 
 private:
     friend class CurvePlanner;
 
+    struct Arc;
+    static float amplitude(const FrameField& frames, const Arc& arc, float slackMm);
+    static float slack(const FrameField& frames, const Arc& arc);
     void placeCorners(const FrameField& frames, std::vector<ControlValue>& controls) const;
     void placeArcs(const FrameField& frames, std::vector<ControlValue>& controls) const;
     void placeReaches(const FrameField& frames, std::vector<ControlValue>& controls) const;

@@ -36,9 +36,9 @@ constexpr float kFloatDip = 0.5F;
 // Slack yarn: how far an arc stands out, as a share of the root of length^2 - chord^2, and its limit in
 // rises.
 constexpr float kHeadGain = 0.38F;
-constexpr float kHeadMost = 0.55F;
+constexpr float kHeadMost = 0.66F;
 constexpr float kBellyGain = 0.30F;
-constexpr float kBellyMost = 0.10F;
+constexpr float kBellyMost = 0.25F;
 constexpr float kFloatGain = 0.25F;
 constexpr float kFloatMost = 0.4F;
 constexpr float kArcLeast = 0.35F; ///< diameters

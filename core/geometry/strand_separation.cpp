@@ -7,6 +7,7 @@ namespace knittsim::geometry {
 
 namespace {
 
+constexpr int kFitRounds = 10;
 constexpr int kMostRounds = 24;
 constexpr float kLeastGap = 0.3F; ///< diameters between centrelines
 
@@ -19,7 +20,8 @@ std::array<float, 4> weightsAt(float t) {
 
 } // namespace
 
-int YarnCurveBuilder::separate(const fabric::Fabric& fabric, std::span<const float> positions) {
+int YarnCurveBuilder::makeExact(const fabric::Fabric& fabric, std::span<const float> positions) {
+    fitLengths(positions);
     for (int round = 0; round < kMostRounds; ++round) {
         update(positions);
         const std::vector<ProjectedCrossing> crossings = projectCrossings(m_curves);
@@ -28,6 +30,24 @@ int YarnCurveBuilder::separate(const fabric::Fabric& fabric, std::span<const flo
         }
     }
     return -1;
+}
+
+void YarnCurveBuilder::fitLengths(std::span<const float> positions) {
+    std::vector<float> lengthMm;
+    for (int round = 0; round < kFitRounds; ++round) {
+        update(positions);
+        lengthMm.clear();
+        for (const YarnCurves::Range& yarn : m_curves.yarns) {
+            const std::int32_t end = yarn.first + yarn.count;
+            for (std::int32_t n = yarn.first; n + 1 < end; ++n) {
+                const auto i = static_cast<std::size_t>(n);
+                const auto point = static_cast<std::size_t>(m_curves.point[i]);
+                lengthMm.resize(std::max(lengthMm.size(), point + 1), 0);
+                lengthMm[point] += m_curves.arc[i + 1] - m_curves.arc[i];
+            }
+        }
+        m_plan.fitArcs(m_frames, lengthMm);
+    }
 }
 
 /// Moves the strands of every crossing that is not as it should be half the missing distance each. Where

@@ -110,7 +110,7 @@ YarnCurves buildYarnCurves(const fabric::Fabric& fabric, std::span<const float> 
                            std::span<const double> diameterMm, const CurveOptions& options) {
     YarnCurveBuilder builder(fabric, diameterMm, options);
     if (options.exact) {
-        builder.separate(fabric, positions);
+        builder.makeExact(fabric, positions);
     }
     builder.update(positions);
     return builder.curves();

@@ -28,7 +28,7 @@ struct YarnCurves {
 /// How a curve is drawn through the bonding points.
 struct CurveOptions {
     int samplesPerSegment = 4; ///< nodes between two control points
-    bool exact = false;        ///< see YarnCurveBuilder::separate
+    bool exact = false;        ///< see YarnCurveBuilder::makeExact
     bool withSurface = false;  ///< fill YarnCurves::normal and ::height
 };
 

@@ -19,16 +19,18 @@ public:
     /// Curves at `positions` (3 per entry, mm). Valid until the next call.
     const YarnCurves& update(std::span<const float> positions);
 
-    /// Raises and lowers strands at `positions` (a shape that lies flat, such as the machine's) until at
-    /// every crossing of the projection the strand that the fabric's books name lies in front by at least
-    /// kLeastGap diameters; later updates keep that. Returns the number of rounds it took, -1 when crossings
-    /// remain that nothing can mend (see CrossingAudit). Some tenths of a second for 10,000 loops.
-    int separate(const fabric::Fabric& fabric, std::span<const float> positions);
+    /// Makes the curves exact at `positions`, a shape that lies flat, such as the machine's: arcs get the
+    /// stored lengths of their yarn as far as they have room; strands are raised and lowered until at every
+    /// crossing of the projection the one that the fabric's books name lies in front by at least a third of
+    /// a diameter. Later updates keep both. Returns the rounds that the second took, -1 when some crossings
+    /// stay wrong (see auditCrossings). Some tenths of a second for 10,000 loops.
+    int makeExact(const fabric::Fabric& fabric, std::span<const float> positions);
 
     const YarnCurves& curves() const { return m_curves; }
     const FrameField& frames() const { return m_frames; }
 
 private:
+    void fitLengths(std::span<const float> positions);
     bool raise(const std::vector<ProjectedCrossing>& crossings, const std::vector<std::int8_t>& order);
     float diameterAt(std::int32_t node) const;
     void sample(std::size_t firstControl, std::size_t lastControl);
