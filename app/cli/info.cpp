@@ -2,6 +2,7 @@
 #include "app/cli/load.h"
 #include "core/fabric/fabric_builder.h"
 #include "core/fabric/reduction.h"
+#include "core/geometry/curve_report.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -17,6 +18,7 @@ namespace {
 struct InfoOptions {
     LoadOptions load;
     bool json = false;
+    bool curves = false;
 };
 
 nlohmann::ordered_json summarise(const machine::Timeline& timeline, const fabric::Fabric& fabric) {
@@ -62,6 +64,24 @@ nlohmann::ordered_json summarise(const machine::Timeline& timeline, const fabric
             {"problems", timeline.diagnostics().size()}};
 }
 
+/// How exact the yarn curves are on the machine; the yarns are those of `relax`.
+nlohmann::ordered_json inspect(const Loaded& loaded) {
+    std::vector<double> diameters;
+    for (const yarn::Yarn& yarn : loaded.yarns) {
+        diameters.push_back(yarn.outerDiameterMm);
+    }
+    const geometry::YarnCurves curves = geometry::buildMachineCurves(*loaded.fabric, diameters);
+    const geometry::CurveReport report = geometry::inspectCurves(*loaded.fabric, curves, diameters);
+    return {{"crossings_expected", report.crossings.expected},
+            {"crossings_found", report.crossings.found},
+            {"crossing_faults", report.crossings.faults.size()},
+            {"stitches", report.certificate.pairs},
+            {"pull_throughs", report.certificate.failures.size()},
+            {"smallest_distance_mm", report.nearest.mm},
+            {"spans", report.spans},
+            {"spans_as_stored", report.spansAsStored}};
+}
+
 void printText(const nlohmann::ordered_json& info) {
     const auto list = [](const nlohmann::ordered_json& object, const char* unit) {
         std::string text;
@@ -89,6 +109,17 @@ void printText(const nlohmann::ordered_json& info) {
         fmt::print("  {:<16}{}\n", name, info[key].dump());
     }
     fmt::print("  yarn by carrier {}\n", list(info["yarn_length_mm"], " mm"));
+    if (info.contains("curves")) {
+        const auto& curves = info["curves"];
+        fmt::print(
+            "  yarn curves     {} of {} crossings as recorded, {} faults; {} stitches, {} pull-throughs\n",
+            curves["crossings_found"].dump(), curves["crossings_expected"].dump(),
+            curves["crossing_faults"].dump(), curves["stitches"].dump(), curves["pull_throughs"].dump());
+        fmt::print(
+            "                  strands {:.3f} mm apart or more; {} of {} spans as long as their yarn\n",
+            curves["smallest_distance_mm"].get<double>(), curves["spans_as_stored"].dump(),
+            curves["spans"].dump());
+    }
 }
 
 int runInfo(const InfoOptions& options) {
@@ -96,7 +127,14 @@ int runInfo(const InfoOptions& options) {
     if (!timeline) {
         return kUnusable;
     }
-    const nlohmann::ordered_json info = summarise(*timeline, fabric::buildFabric(*timeline));
+    nlohmann::ordered_json info = summarise(*timeline, fabric::buildFabric(*timeline));
+    if (options.curves) {
+        const auto loaded = load(options.load);
+        if (!loaded) {
+            return kUnusable;
+        }
+        info["curves"] = inspect(*loaded);
+    }
     if (options.json) {
         fmt::print("{}\n", info.dump(2));
     } else {
@@ -113,6 +151,7 @@ void addInfo(CLI::App& app, Command& chosen) {
         app.add_subcommand("info", "Count operations, needles, loops, bonding points and yarn");
     command->add_option("file", options->load.file, "machine file")->required();
     command->add_flag("--json", options->json, "print JSON");
+    command->add_flag("--curves", options->curves, "also draw the yarn curves and report how exact they are");
     command->callback([&chosen, options] { chosen = [options] { return runInfo(*options); }; });
 }
 

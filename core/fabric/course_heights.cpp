@@ -8,7 +8,7 @@ namespace knittsim::fabric {
 namespace {
 
 constexpr double kPlainShare = 0.18; ///< of the loop length: what is left of a leg between its bonding points
-constexpr double kWithFloats = 1.5; ///< heights of a plain course
+constexpr double kWithFloats = 1.5;  ///< heights of a plain course
 constexpr double kWithMoves = 1.95;
 constexpr double kMoved = 0.5; ///< pitches
 

@@ -30,6 +30,8 @@ struct Event {
     std::size_t index = 0; ///< of the projected crossing
 };
 
+constexpr PointIndex kPointsOnPiece = 64; ///< looked through on either side
+
 class Auditor {
 public:
     Auditor(const Fabric& fabric, const YarnCurves& curves) : m_fabric(fabric), m_curves(curves) {
@@ -271,12 +273,15 @@ private:
         }
     }
 
-    /// A crossing near these bonding points that no other explains.
+    /// A crossing on these pieces, or next to these bonding points, that no other explains.
     std::vector<const Event*>::iterator findFurther(PointIndex over, PointIndex under, int sign) {
+        const auto near = [&](PointIndex found, PointIndex wanted) {
+            return std::abs(found - wanted) <= 1 || pieceOf(found) == pieceOf(wanted);
+        };
         const auto place = [](const Event* e) { return e->over; };
-        auto it = std::ranges::lower_bound(m_further, over - 1, {}, place);
-        for (; it != m_further.end() && (*it)->over <= over + 1; ++it) {
-            if (std::abs((*it)->under - under) <= 1 && yarnSign(**it) == sign) {
+        auto it = std::ranges::lower_bound(m_further, over - kPointsOnPiece, {}, place);
+        for (; it != m_further.end() && (*it)->over <= over + kPointsOnPiece; ++it) {
+            if (near((*it)->over, over) && near((*it)->under, under) && yarnSign(**it) == sign) {
                 return it;
             }
         }

@@ -3,7 +3,7 @@
 #include "core/formats/knitout/reader.h"
 #include "core/formats/knitout/writer.h"
 #include "tests/support/compare_programs.h"
-#include "tests/unit/formats/machine_data.h"
+#include "tests/support/machine_data.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include "core/formats/shima_dat/reader.h"
 #include "core/formats/shima_dat/writer.h"
 #include "tests/support/same_meaning.h"
-#include "tests/unit/formats/machine_data.h"
+#include "tests/support/machine_data.h"
 
 #include <gtest/gtest.h>
 

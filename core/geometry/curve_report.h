@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/geometry/crossing_audit.h"
+#include "core/geometry/strand_distance.h"
+#include "core/geometry/topology_certificate.h"
+
+namespace knittsim::geometry {
+
+/// How exact the yarn curves of a fabric are where it hangs on the machine.
+struct CurveReport {
+    CrossingAudit crossings;
+    TopologyCertificate certificate;
+    StrandDistance nearest; ///< of strands more than three diameters of yarn apart
+    std::size_t spans =
+        0; ///< pieces between neighbouring bonding points that are nearer than their yarn is long
+    std::size_t spansAsStored = 0; ///< of these, as long as the stored yarn within 1 %
+};
+
+/// Curves at Fabric::machinePositions with CurveOptions::exact. `diameterMm` by carrier.
+YarnCurves buildMachineCurves(const fabric::Fabric& fabric, std::span<const double> diameterMm);
+
+/// `curves` as made by buildMachineCurves.
+CurveReport inspectCurves(const fabric::Fabric& fabric, const YarnCurves& curves,
+                          std::span<const double> diameterMm);
+
+} // namespace knittsim::geometry
