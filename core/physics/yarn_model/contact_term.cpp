@@ -1,0 +1,172 @@
+#include "core/physics/yarn_model/contact_term.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace knittsim::physics {
+
+namespace {
+constexpr double kExclusion = 2.1; ///< outer radii along the yarn, within which it does not touch itself
+constexpr double kSkin = 0.3;      ///< outer diameters of the thickest yarn
+constexpr double kTiny = 1e-12;    ///< below, two nodes have no direction between them
+
+double thickest(const std::vector<RodYarn>& yarns) {
+    double largest = 0;
+    for (const RodYarn& y : yarns) {
+        largest = std::max(largest, y.outerDiameter);
+    }
+    return largest;
+}
+} // namespace
+
+ContactTerm::ContactTerm(const YarnChains& chains)
+    : m_yarns(chains.yarns), m_chains(chains.chains), m_arc(arcLengths(chains)), m_share(nodeLengths(chains)),
+      m_nodeCount(chains.nodeCount()), m_cell(chains.cellEntry()), m_hessian(chains.cellEntry()) {
+    m_chainOf.resize(static_cast<std::size_t>(m_nodeCount));
+    for (std::size_t c = 0; c < m_chains.size(); ++c) {
+        const Chain& chain = m_chains[c];
+        const auto last = static_cast<std::size_t>(chain.first + chain.count - 1);
+        m_chainLength.push_back(m_arc[last] + (chain.closed ? chains.restLength[last] : 0));
+        for (Entry i = 0; i < chain.count; ++i) {
+            m_chainOf[static_cast<std::size_t>(chain.first + i)] = static_cast<int>(c);
+        }
+    }
+    setThickness(1);
+}
+
+void ContactTerm::setThickness(double share) {
+    m_thickness = share;
+    m_kernels.clear();
+    for (const RodYarn& a : m_yarns) {
+        for (const RodYarn& b : m_yarns) {
+            m_kernels.emplace_back(0.5 * share * (a.coreDiameter + b.coreDiameter),
+                                   0.5 * share * (a.outerDiameter + b.outerDiameter),
+                                   std::sqrt(a.contactStiffness * b.contactStiffness));
+        }
+    }
+    m_reference.resize(0);
+}
+
+std::uint32_t ContactTerm::kernelOf(int yarnA, int yarnB) const {
+    return static_cast<std::uint32_t>(static_cast<std::size_t>(yarnA) * m_yarns.size() +
+                                      static_cast<std::size_t>(yarnB));
+}
+
+/// Both nodes on one piece of yarn too short to touch itself.
+bool ContactTerm::sameStretch(const NearPair& pair) const {
+    const auto a = static_cast<std::size_t>(pair.a);
+    const auto b = static_cast<std::size_t>(pair.b.node);
+    if (m_chainOf[a] != m_chainOf[b]) {
+        return false;
+    }
+    const auto number = static_cast<std::size_t>(m_chainOf[a]);
+    const Chain& chain = m_chains[number];
+    const double limit = kExclusion * 0.5 * m_yarns[static_cast<std::size_t>(chain.yarn)].outerDiameter;
+    const double along = m_arc[b] - m_arc[a];
+    if (!pair.b.isImage() && std::abs(along) < limit) {
+        return true;
+    }
+    // Going round a closed chain leads to the image (across, up) of the start, or to the start itself.
+    if (!chain.closed) {
+        return false;
+    }
+    for (int turns = -2; turns <= 2; ++turns) {
+        if (turns * chain.across == pair.b.across && turns * chain.up == pair.b.up &&
+            std::abs(along + turns * m_chainLength[number]) < limit) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool ContactTerm::outOfDate(const Vector& x) const {
+    if (m_reference.size() != x.size()) {
+        return true;
+    }
+    double largest = 0;
+    for (Entry e = 0; e < m_nodeCount; ++e) {
+        largest = std::max(largest, (at(x, e) - at(m_reference, e)).squaredNorm());
+    }
+    double moved = 2 * std::sqrt(largest);
+    if (m_cell >= 0) {
+        moved += m_mostShift * (at(x, m_cell) - at(m_reference, m_cell)).norm();
+    }
+    return !(moved < kSkin * thickest(m_yarns)); // also when x is not a number
+}
+
+void ContactTerm::findCandidates(const Vector& x) const {
+    const double reach = m_thickness * thickest(m_yarns);
+    const double range = reach + kSkin * thickest(m_yarns);
+    const Eigen::Matrix3Xd points = Eigen::Map<const Eigen::Matrix3Xd>(x.data(), 3, m_nodeCount);
+    std::optional<Eigen::Vector2d> cell;
+    if (m_cell >= 0) {
+        cell = at(x, m_cell).head<2>();
+    }
+    m_candidates.clear();
+    m_reference = x;
+    m_mostShift = 1;
+    ++m_rebuilds;
+    if (!x.allFinite() || (cell && !(cell->minCoeff() > 0))) {
+        return;
+    }
+    for (const NearPair& pair : findNearPairs(points, cell, range)) {
+        if (sameStretch(pair)) {
+            continue;
+        }
+        const auto a = static_cast<std::size_t>(pair.a);
+        const auto b = static_cast<std::size_t>(pair.b.node);
+        const auto yarn = [&](std::size_t node) {
+            return m_chains[static_cast<std::size_t>(m_chainOf[node])].yarn;
+        };
+        m_candidates.push_back({pair.a, pair.b, kernelOf(yarn(a), yarn(b)), 2 * m_share[a] * m_share[b]});
+        m_mostShift = std::max({m_mostShift, std::abs(pair.b.across) + 1, pair.b.up + 1});
+    }
+}
+
+void ContactTerm::prepare(const Vector& x) const {
+    if (outOfDate(x)) {
+        findCandidates(x);
+    }
+}
+
+double ContactTerm::evaluate(const Vector& x, Vector* gradient) const {
+    prepare(x);
+    double energy = 0;
+    for (const Candidate& c : m_candidates) {
+        const ContactKernel& kernel = m_kernels[c.kernel];
+        const Eigen::Vector3d apart = position(x, m_cell, c.b) - at(x, c.a);
+        const double square = apart.squaredNorm();
+        if (square >= kernel.reach() * kernel.reach()) {
+            continue;
+        }
+        const double distance = std::sqrt(square);
+        const ContactKernel::Value v = kernel.at(distance);
+        energy += c.weight * v.energy;
+        if (gradient != nullptr && distance > kTiny) {
+            const Eigen::Vector3d force = (c.weight * v.slope / distance) * apart;
+            at(*gradient, c.a) -= force;
+            addAt(*gradient, m_cell, c.b, force);
+        }
+    }
+    return energy;
+}
+
+void ContactTerm::linearise(const Vector& x) {
+    prepare(x);
+    m_hessian.parts().clear();
+    for (const Candidate& c : m_candidates) {
+        const ContactKernel& kernel = m_kernels[c.kernel];
+        const Eigen::Vector3d apart = position(x, m_cell, c.b) - at(x, c.a);
+        const double distance = apart.norm();
+        if (distance >= kernel.reach() || distance <= kTiny) {
+            continue;
+        }
+        const Eigen::Vector3d n = apart / distance;
+        const double stiffness = c.weight * kernel.at(distance).curvature;
+        m_hessian.parts().push_back({{{Place{c.a, 0, 0}, c.b}, {-1, 1}}, stiffness * n * n.transpose()});
+    }
+    m_pairCount = m_hessian.parts().size();
+}
+
+} // namespace knittsim::physics
