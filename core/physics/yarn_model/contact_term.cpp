@@ -7,9 +7,8 @@
 namespace knittsim::physics {
 
 namespace {
-constexpr double kExclusion = 2.1; ///< outer radii along the yarn, within which it does not touch itself
-constexpr double kSkin = 0.3;      ///< outer diameters of the thickest yarn
-constexpr double kTiny = 1e-12;    ///< below, two nodes have no direction between them
+constexpr double kSkin = 0.3;   ///< outer diameters of the thickest yarn
+constexpr double kTiny = 1e-12; ///< below, two nodes have no direction between them
 
 double thickest(const std::vector<RodYarn>& yarns) {
     double largest = 0;
@@ -21,17 +20,8 @@ double thickest(const std::vector<RodYarn>& yarns) {
 } // namespace
 
 ContactTerm::ContactTerm(const YarnChains& chains)
-    : m_yarns(chains.yarns), m_chains(chains.chains), m_arc(arcLengths(chains)), m_share(nodeLengths(chains)),
-      m_nodeCount(chains.nodeCount()), m_cell(chains.cellEntry()), m_hessian(chains.cellEntry()) {
-    m_chainOf.resize(static_cast<std::size_t>(m_nodeCount));
-    for (std::size_t c = 0; c < m_chains.size(); ++c) {
-        const Chain& chain = m_chains[c];
-        const auto last = static_cast<std::size_t>(chain.first + chain.count - 1);
-        m_chainLength.push_back(m_arc[last] + (chain.closed ? chains.restLength[last] : 0));
-        for (Entry i = 0; i < chain.count; ++i) {
-            m_chainOf[static_cast<std::size_t>(chain.first + i)] = static_cast<int>(c);
-        }
-    }
+    : m_yarns(chains.yarns), m_own(chains), m_share(nodeLengths(chains)), m_nodeCount(chains.nodeCount()),
+      m_cell(chains.cellEntry()), m_hessian(chains.cellEntry()) {
     setThickness(1);
 }
 
@@ -55,29 +45,8 @@ std::uint32_t ContactTerm::kernelOf(int yarnA, int yarnB) const {
 
 /// Both nodes on one piece of yarn too short to touch itself.
 bool ContactTerm::sameStretch(const NearPair& pair) const {
-    const auto a = static_cast<std::size_t>(pair.a);
-    const auto b = static_cast<std::size_t>(pair.b.node);
-    if (m_chainOf[a] != m_chainOf[b]) {
-        return false;
-    }
-    const auto number = static_cast<std::size_t>(m_chainOf[a]);
-    const Chain& chain = m_chains[number];
-    const double limit = kExclusion * 0.5 * m_yarns[static_cast<std::size_t>(chain.yarn)].outerDiameter;
-    const double along = m_arc[b] - m_arc[a];
-    if (!pair.b.isImage() && std::abs(along) < limit) {
-        return true;
-    }
-    // Going round a closed chain leads to the image (across, up) of the start, or to the start itself.
-    if (!chain.closed) {
-        return false;
-    }
-    for (int turns = -2; turns <= 2; ++turns) {
-        if (turns * chain.across == pair.b.across && turns * chain.up == pair.b.up &&
-            std::abs(along + turns * m_chainLength[number]) < limit) {
-            return true;
-        }
-    }
-    return false;
+    const RodYarn& yarn = m_yarns[static_cast<std::size_t>(m_own.yarnOf(pair.a))];
+    return m_own.along(pair.a, pair.b) < OwnStretch::kExclusion * 0.5 * yarn.outerDiameter;
 }
 
 bool ContactTerm::outOfDate(const Vector& x) const {
@@ -116,10 +85,8 @@ void ContactTerm::findCandidates(const Vector& x) const {
         }
         const auto a = static_cast<std::size_t>(pair.a);
         const auto b = static_cast<std::size_t>(pair.b.node);
-        const auto yarn = [&](std::size_t node) {
-            return m_chains[static_cast<std::size_t>(m_chainOf[node])].yarn;
-        };
-        m_candidates.push_back({pair.a, pair.b, kernelOf(yarn(a), yarn(b)), 2 * m_share[a] * m_share[b]});
+        m_candidates.push_back({pair.a, pair.b, kernelOf(m_own.yarnOf(pair.a), m_own.yarnOf(pair.b.node)),
+                                2 * m_share[a] * m_share[b]});
         m_mostShift = std::max({m_mostShift, std::abs(pair.b.across) + 1, pair.b.up + 1});
     }
 }

@@ -2,6 +2,7 @@
 
 #include "core/physics/yarn_model/contact_kernel.h"
 #include "core/physics/yarn_model/near_places.h"
+#include "core/physics/yarn_model/own_stretch.h"
 #include "core/physics/yarn_model/stencil_hessian.h"
 
 #include <cstdint>
@@ -50,11 +51,8 @@ private:
     std::uint32_t kernelOf(int yarnA, int yarnB) const;
 
     std::vector<RodYarn> m_yarns;
-    std::vector<Chain> m_chains;
-    std::vector<int> m_chainOf;        ///< by node
-    std::vector<double> m_arc;         ///< by node
-    std::vector<double> m_chainLength; ///< by chain
-    std::vector<double> m_share;       ///< yarn by node
+    OwnStretch m_own;
+    std::vector<double> m_share; ///< yarn by node
     Entry m_nodeCount;
     Entry m_cell;
     double m_thickness = 1;
