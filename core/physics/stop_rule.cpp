@@ -17,7 +17,7 @@ constexpr std::int64_t kLargeStepLimit = 2'000;
 constexpr std::int64_t kSmallStepLimit = 1'000'000;
 } // namespace
 
-void StopRule::setReference(const Model& model, const Vector& start) {
+void StopRule::setReference(const System& model, const Vector& start) {
     Vector gradient;
     m_referenceEnergy = model.evaluate(start, &gradient);
     const double spring = kSmallStrain * model.stiffnessScale() * model.lengthScale();
