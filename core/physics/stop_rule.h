@@ -16,6 +16,10 @@ public:
     /// change.
     void setReference(const System& model, const Vector& start);
 
+    /// Measures forces against what the system's yarns can do when bent or stretched a little: where the
+    /// first forces say nothing, because the start is arbitrary.
+    void setReference(const System& model);
+
     /// Forgets the past steps; the reference stays.
     void restart();
 

@@ -1,5 +1,6 @@
 #include "core/physics/yarn_model/chains.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace knittsim::physics {
@@ -49,6 +50,14 @@ const char* YarnChains::problem() const {
         next = c.first + c.count;
     }
     return next == nodeCount() ? "" : "every node must belong to a chain";
+}
+
+double thickestYarn(const std::vector<RodYarn>& yarns) {
+    double largest = 0;
+    for (const RodYarn& y : yarns) {
+        largest = std::max(largest, y.outerDiameter);
+    }
+    return largest;
 }
 
 std::vector<double> arcLengths(const YarnChains& chains) {

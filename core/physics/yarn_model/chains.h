@@ -29,6 +29,7 @@ struct Place {
     int across = 0;
     int up = 0;
 
+    Place shifted(int right, int above) const { return {node, across + right, up + above}; }
     bool isImage() const { return across != 0 || up != 0; }
     bool operator==(const Place&) const = default;
 };
@@ -74,6 +75,9 @@ struct YarnChains {
     /// Empty when all is well; else what is wrong: indices out of range, lengths that are not positive.
     const char* problem() const;
 };
+
+/// Largest outer diameter.
+double thickestYarn(const std::vector<RodYarn>& yarns);
 
 /// Arc length at each node, from the start of its chain.
 std::vector<double> arcLengths(const YarnChains& chains);

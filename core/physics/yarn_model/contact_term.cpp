@@ -1,27 +1,18 @@
 #include "core/physics/yarn_model/contact_term.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace knittsim::physics {
 
 namespace {
 constexpr double kSkin = 0.3;   ///< outer diameters of the thickest yarn
 constexpr double kTiny = 1e-12; ///< below, two nodes have no direction between them
-
-double thickest(const std::vector<RodYarn>& yarns) {
-    double largest = 0;
-    for (const RodYarn& y : yarns) {
-        largest = std::max(largest, y.outerDiameter);
-    }
-    return largest;
-}
 } // namespace
 
 ContactTerm::ContactTerm(const YarnChains& chains)
     : m_yarns(chains.yarns), m_own(chains), m_share(nodeLengths(chains)), m_nodeCount(chains.nodeCount()),
-      m_cell(chains.cellEntry()), m_hessian(chains.cellEntry()) {
+      m_cell(chains.cellEntry()), m_hessian(chains.cellEntry()),
+      m_skin(chains.nodeCount(), chains.cellEntry(), kSkin * thickestYarn(chains.yarns)) {
     setThickness(1);
 }
 
@@ -35,7 +26,7 @@ void ContactTerm::setThickness(double share) {
                                    std::sqrt(a.contactStiffness * b.contactStiffness));
         }
     }
-    m_reference.resize(0);
+    m_skin.forget();
 }
 
 std::uint32_t ContactTerm::kernelOf(int yarnA, int yarnB) const {
@@ -49,50 +40,29 @@ bool ContactTerm::sameStretch(const NearPair& pair) const {
     return m_own.along(pair.a, pair.b) < OwnStretch::kExclusion * 0.5 * yarn.outerDiameter;
 }
 
-bool ContactTerm::outOfDate(const Vector& x) const {
-    if (m_reference.size() != x.size()) {
-        return true;
-    }
-    double largest = 0;
-    for (Entry e = 0; e < m_nodeCount; ++e) {
-        largest = std::max(largest, (at(x, e) - at(m_reference, e)).squaredNorm());
-    }
-    double moved = 2 * std::sqrt(largest);
-    if (m_cell >= 0) {
-        moved += m_mostShift * (at(x, m_cell) - at(m_reference, m_cell)).norm();
-    }
-    return !(moved < kSkin * thickest(m_yarns)); // also when x is not a number
-}
-
 void ContactTerm::findCandidates(const Vector& x) const {
-    const double reach = m_thickness * thickest(m_yarns);
-    const double range = reach + kSkin * thickest(m_yarns);
-    const Eigen::Matrix3Xd points = Eigen::Map<const Eigen::Matrix3Xd>(x.data(), 3, m_nodeCount);
-    std::optional<Eigen::Vector2d> cell;
-    if (m_cell >= 0) {
-        cell = at(x, m_cell).head<2>();
-    }
     m_candidates.clear();
-    m_reference = x;
-    m_mostShift = 1;
     ++m_rebuilds;
+    const double range = m_thickness * thickestYarn(m_yarns);
+    m_skin.renew(x, range);
+    const std::optional<Eigen::Vector2d> cell = cellAt(x, m_cell);
     if (!x.allFinite() || (cell && !(cell->minCoeff() > 0))) {
         return;
     }
-    for (const NearPair& pair : findNearPairs(points, cell, range)) {
+    const Eigen::Matrix3Xd points = Eigen::Map<const Eigen::Matrix3Xd>(x.data(), 3, m_nodeCount);
+    for (const NearPair& pair : findNearPairs(points, cell, range + m_skin.thickness())) {
         if (sameStretch(pair)) {
             continue;
         }
-        const auto a = static_cast<std::size_t>(pair.a);
-        const auto b = static_cast<std::size_t>(pair.b.node);
-        m_candidates.push_back({pair.a, pair.b, kernelOf(m_own.yarnOf(pair.a), m_own.yarnOf(pair.b.node)),
-                                2 * m_share[a] * m_share[b]});
-        m_mostShift = std::max({m_mostShift, std::abs(pair.b.across) + 1, pair.b.up + 1});
+        const double weight =
+            2 * m_share[static_cast<std::size_t>(pair.a)] * m_share[static_cast<std::size_t>(pair.b.node)];
+        m_candidates.push_back(
+            {pair.a, pair.b, kernelOf(m_own.yarnOf(pair.a), m_own.yarnOf(pair.b.node)), weight});
     }
 }
 
 void ContactTerm::prepare(const Vector& x) const {
-    if (outOfDate(x)) {
+    if (m_skin.outOfDate(x)) {
         findCandidates(x);
     }
 }

@@ -3,6 +3,7 @@
 #include "core/physics/yarn_model/contact_kernel.h"
 #include "core/physics/yarn_model/near_places.h"
 #include "core/physics/yarn_model/own_stretch.h"
+#include "core/physics/yarn_model/skin.h"
 #include "core/physics/yarn_model/stencil_hessian.h"
 
 #include <cstdint>
@@ -45,7 +46,6 @@ private:
     };
 
     void prepare(const Vector& x) const;
-    bool outOfDate(const Vector& x) const;
     void findCandidates(const Vector& x) const;
     bool sameStretch(const NearPair& pair) const;
     std::uint32_t kernelOf(int yarnA, int yarnB) const;
@@ -62,8 +62,7 @@ private:
 
     // Candidates are a cache: they follow the shape that is asked about.
     mutable std::vector<Candidate> m_candidates;
-    mutable Vector m_reference; ///< where they were found
-    mutable int m_mostShift = 0;
+    mutable Skin m_skin;
     mutable int m_rebuilds = 0;
 };
 

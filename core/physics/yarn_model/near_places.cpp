@@ -1,8 +1,8 @@
 #include "core/physics/yarn_model/near_places.h"
 
-#include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace knittsim::physics {
 
@@ -20,7 +20,7 @@ public:
         m_low = points.rowwise().minCoeff();
         m_high = points.rowwise().maxCoeff();
         for (Eigen::Index i = 0; i < points.cols(); ++i) {
-            m_members.push_back({points.col(i), {static_cast<Entry>(i), 0, 0}, {}});
+            m_members.push_back({points.col(i), {static_cast<Entry>(i), 0, 0}, 0});
         }
         if (cell) {
             addImages(points, *cell);
@@ -29,14 +29,14 @@ public:
     }
 
     template<class Visit> void forNear(const Eigen::Vector3d& point, Visit visit) const {
-        const Box centre = boxOf(point);
+        const std::uint64_t centre = boxOf(point);
         for (int dz = -1; dz <= 1; ++dz) {
             for (int dy = -1; dy <= 1; ++dy) {
                 for (int dx = -1; dx <= 1; ++dx) {
-                    const Box box{centre[0] + dx, centre[1] + dy, centre[2] + dz};
+                    const std::uint64_t box = beside(centre, dx, dy, dz);
                     const std::size_t bucket = bucketOf(box);
                     for (std::size_t i = m_begin[bucket]; i < m_begin[bucket + 1]; ++i) {
-                        const Member& m = m_members[m_sorted[i]];
+                        const Member& m = m_members[i];
                         if (m.box == box && (m.point - point).squaredNorm() < m_range * m_range) {
                             visit(m.place);
                         }
@@ -47,11 +47,10 @@ public:
     }
 
 private:
-    using Box = std::array<int, 3>;
     struct Member {
         Eigen::Vector3d point;
         Place place;
-        Box box;
+        std::uint64_t box = 0;
     };
 
     void addImages(const Eigen::Matrix3Xd& points, const Eigen::Vector2d& cell) {
@@ -68,28 +67,35 @@ private:
                     const Eigen::Vector3d image = points.col(i) + shift;
                     if ((image.array() >= m_low.array() - m_range).all() &&
                         (image.array() <= m_high.array() + m_range).all()) {
-                        m_members.push_back({image, {static_cast<Entry>(i), across, up}, {}});
+                        m_members.push_back({image, {static_cast<Entry>(i), across, up}, 0});
                     }
                 }
             }
         }
     }
 
-    Box boxOf(const Eigen::Vector3d& point) const {
-        Box box{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto d = static_cast<Eigen::Index>(k);
-            box[k] = static_cast<int>(std::floor((point[d] - m_low[d]) / m_range));
-        }
-        return box;
+    /// A box's three numbers in one, 21 bits each.
+    static std::uint64_t packed(std::int64_t x, std::int64_t y, std::int64_t z) {
+        constexpr std::int64_t kMiddle = 1 << 20;
+        constexpr std::uint64_t kMask = (1U << 21U) - 1;
+        const auto bits = [](std::int64_t i) { return static_cast<std::uint64_t>(i + kMiddle) & kMask; };
+        return bits(x) | bits(y) << 21U | bits(z) << 42U;
     }
 
-    std::size_t bucketOf(const Box& box) const {
-        const auto u = [](int i) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(i)); };
-        std::uint64_t hash = u(box[0]) * 0x9E3779B97F4A7C15U;
-        hash ^= u(box[1]) * 0xC2B2AE3D27D4EB4FU;
-        hash ^= u(box[2]) * 0x165667B19E3779F9U;
-        return static_cast<std::size_t>(hash ^ (hash >> 32U)) & m_mask;
+    static std::uint64_t beside(std::uint64_t box, int dx, int dy, int dz) {
+        return box +
+               static_cast<std::uint64_t>(dx + dy * (std::int64_t{1} << 21) + dz * (std::int64_t{1} << 42));
+    }
+
+    std::uint64_t boxOf(const Eigen::Vector3d& point) const {
+        const Eigen::Array3d box = ((point - m_low) / m_range).array().floor();
+        return packed(static_cast<std::int64_t>(box.x()), static_cast<std::int64_t>(box.y()),
+                      static_cast<std::int64_t>(box.z()));
+    }
+
+    std::size_t bucketOf(std::uint64_t box) const {
+        const std::uint64_t hash = box * 0x9E3779B97F4A7C15U;
+        return static_cast<std::size_t>(hash >> 20U) & m_mask;
     }
 
     /// Counting sort by bucket.
@@ -104,10 +110,11 @@ private:
             m_begin[b] += m_begin[b - 1];
         }
         std::vector<std::size_t> next(m_begin.begin(), m_begin.end() - 1);
-        m_sorted.resize(m_members.size());
-        for (std::size_t i = 0; i < m_members.size(); ++i) {
-            m_sorted[next[bucketOf(m_members[i].box)]++] = i;
+        std::vector<Member> sorted(m_members.size());
+        for (const Member& m : m_members) {
+            sorted[next[bucketOf(m.box)]++] = m;
         }
+        m_members.swap(sorted);
     }
 
     double m_range;
@@ -115,8 +122,7 @@ private:
     Eigen::Vector3d m_high;
     std::size_t m_mask = 0;
     std::vector<Member> m_members;
-    std::vector<std::size_t> m_begin; ///< by bucket, into m_sorted
-    std::vector<std::size_t> m_sorted;
+    std::vector<std::size_t> m_begin; ///< by bucket, into m_members
 };
 
 } // namespace

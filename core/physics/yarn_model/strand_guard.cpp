@@ -1,16 +1,17 @@
 #include "core/physics/yarn_model/strand_guard.h"
 
 #include "core/physics/yarn_model/segment_distance.h"
+#include "core/physics/yarn_model/skin.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 namespace knittsim::physics {
 
 namespace {
 constexpr double kRange = 0.6; ///< outer diameters of the thickest yarn
+constexpr double kCores = 1.2; ///< and core diameters at least
 constexpr double kSkin = 0.4;
 } // namespace
 
@@ -24,7 +25,7 @@ StrandGuard::StrandGuard(const YarnChains& chains)
             const double rest = chains.restLength[static_cast<std::size_t>(node)];
             m_segments.push_back({node, chain.place(i + 1), yarn.coreDiameter, exclusion + rest});
         }
-        m_range = std::max(m_range, kRange * yarn.outerDiameter);
+        m_range = std::max({m_range, kRange * yarn.outerDiameter, kCores * yarn.coreDiameter});
     }
 }
 
@@ -60,22 +61,9 @@ double StrandGuard::relativeMotion(const Vector& move, const Pair& pair) const {
                                (a1 - b1).squaredNorm()}));
 }
 
-namespace {
-/// Bound on the motion of any two nodes against each other, images up to `mostShift` cells away included.
-double largestRelativeMotion(const Vector& move, Entry nodeCount, Entry cell, int mostShift) {
-    double largest = 0;
-    for (Entry e = 0; e < nodeCount; ++e) {
-        largest = std::max(largest, at(move, e).squaredNorm());
-    }
-    const double ofCell = cell >= 0 ? mostShift * at(move, cell).norm() : 0;
-    return 2 * std::sqrt(largest) + ofCell;
-}
-} // namespace
-
 void StrandGuard::findPairs(const Vector& x) {
     m_pairs.clear();
     m_found = m_odometer;
-    m_mostShift = 1;
     Eigen::Matrix3Xd middles(3, static_cast<Eigen::Index>(m_segments.size()));
     double longest = 0;
     for (std::size_t i = 0; i < m_segments.size(); ++i) {
@@ -84,11 +72,7 @@ void StrandGuard::findPairs(const Vector& x) {
         middles.col(static_cast<Eigen::Index>(i)) = 0.5 * (begin + end);
         longest = std::max(longest, (end - begin).norm());
     }
-    std::optional<Eigen::Vector2d> cell;
-    if (m_cell >= 0) {
-        cell = at(x, m_cell).head<2>();
-    }
-    for (const NearPair& near : findNearPairs(middles, cell, (1 + kSkin) * m_range + longest)) {
+    for (const NearPair& near : findNearPairs(middles, cellAt(x, m_cell), (1 + kSkin) * m_range + longest)) {
         if (neighbours(near)) {
             continue;
         }
@@ -105,7 +89,6 @@ void StrandGuard::findPairs(const Vector& x) {
             const Place b = first(m_segments[pair.b], pair.across, pair.up);
             pair.oneStrand = m_own.along(a.node, b) < a.stretch;
             m_pairs.push_back(pair);
-            m_mostShift = std::max({m_mostShift, std::abs(near.b.across) + 1, near.b.up + 1});
         }
     }
 }
@@ -114,7 +97,7 @@ void StrandGuard::prepare(const Vector& x) {
     if (m_last.size() != x.size()) {
         findPairs(x);
     } else {
-        m_odometer += largestRelativeMotion(x - m_last, m_nodeCount, m_cell, m_mostShift);
+        m_odometer += relativeMotionBound(m_last, x, m_nodeCount, m_cell, (1 + kSkin) * m_range);
         if (m_odometer - m_found > kSkin * m_range) {
             findPairs(x);
         }
@@ -128,7 +111,7 @@ double StrandGuard::allowed(const Vector& x, const Vector& move) {
     }
     prepare(x);
     // Strands that are not known to be near are farther apart than the range.
-    const double any = largestRelativeMotion(move, m_nodeCount, m_cell, m_mostShift);
+    const double any = relativeMotionBound(x, x + move, m_nodeCount, m_cell, m_range);
     double factor = std::min(1.0, kShare * m_range / std::max(any, 1e-300));
     for (Pair& pair : m_pairs) {
         const double motion = relativeMotion(move, pair);
@@ -167,6 +150,7 @@ StrandAudit StrandGuard::audit(const Vector& x, double thickness) {
         }
         if (pair.distance < result.smallestDistance) {
             result.smallestDistance = pair.distance;
+            result.worstCore = core;
             result.worstA = a.node;
             result.worstB = b.node;
         }

@@ -10,10 +10,12 @@ namespace knittsim::physics {
 
 /// What the strands of a shape do to each other. A stretch of yarn too short to touch itself is one strand.
 struct StrandAudit {
-    double smallestDistance = 0; ///< of the middles of two strands; infinite when all are far apart
-    int coreOverlaps = 0;        ///< pairs of segments nearer than their core diameter
-    double deepestOverlap = 0;   ///< core diameter - distance of the worst one
-    Entry worstA = -1;           ///< the segments after these nodes are the nearest ones
+    double smallestDistance =
+        0; ///< of the middles of two strands; infinite when all are more than half a yarn apart
+    int coreOverlaps = 0;      ///< pairs of segments nearer than their core diameter
+    double deepestOverlap = 0; ///< core diameter - distance of the worst one
+    double worstCore = 0;      ///< core diameter of the nearest ones
+    Entry worstA = -1;         ///< the segments after these nodes are the nearest ones
     Entry worstB = -1;
 };
 
@@ -71,7 +73,6 @@ private:
     Vector m_last;         ///< shape that was asked about last
     double m_odometer = 0; ///< bound on how much any two points have moved against each other so far
     double m_found = 0;    ///< its reading when the pairs were found
-    int m_mostShift = 1;
 };
 
 } // namespace knittsim::physics
