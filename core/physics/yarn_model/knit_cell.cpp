@@ -57,9 +57,9 @@ double lengthOf(const Eigen::Matrix3Xd& points) {
     return (points.rightCols(points.cols() - 1) - points.leftCols(points.cols() - 1)).colwise().norm().sum();
 }
 
-/// `count` points at equal distances along the curve; its end is left out.
+/// `count` pieces of equal length along the curve.
 Eigen::Matrix3Xd evenly(const Eigen::Matrix3Xd& curve, int count) {
-    Eigen::Matrix3Xd result(3, count);
+    Eigen::Matrix3Xd result(3, count + 1);
     const double step = lengthOf(curve) / count;
     double begin = 0;
     Eigen::Index piece = 0;
@@ -73,6 +73,7 @@ Eigen::Matrix3Xd evenly(const Eigen::Matrix3Xd& curve, int count) {
         result.col(i) =
             curve.col(piece) + (i * step - begin) / length * (curve.col(piece + 1) - curve.col(piece));
     }
+    result.col(count) = curve.col(curve.cols() - 1);
     return result;
 }
 
@@ -98,15 +99,17 @@ YarnChains knitCell(const KnitPurl& pattern, const std::vector<double>& loopLeng
     const double mean = total / (pattern.wales * pattern.courses);
     double wale = mean / start.widthFactor;
     double height = mean / start.heightFactor;
-    const auto curves = [&] {
+    const int perCourse = pattern.wales * start.nodesPerLoop;
+    const auto courses = [&] {
         std::vector<Eigen::Matrix3Xd> result;
         for (int course = 0; course < pattern.courses; ++course) {
-            result.push_back(courseCurve(pattern, course, wale, height, yarn.outerDiameter));
+            result.push_back(
+                evenly(courseCurve(pattern, course, wale, height, yarn.outerDiameter), perCourse));
         }
         return result;
     };
-    std::vector<Eigen::Matrix3Xd> course = curves();
-    // Depth does not scale, so a few rounds until the curve is as long as the yarn.
+    std::vector<Eigen::Matrix3Xd> course = courses();
+    // Depth does not scale, so a few rounds until the nodes are as far apart as the yarn is long.
     for (int round = 0; round < 20; ++round) {
         double length = 0;
         for (const Eigen::Matrix3Xd& c : course) {
@@ -114,17 +117,16 @@ YarnChains knitCell(const KnitPurl& pattern, const std::vector<double>& loopLeng
         }
         wale *= total / length;
         height *= total / length;
-        course = curves();
+        course = courses();
     }
 
     YarnChains chains;
     chains.yarns = {yarn};
     chains.cell = Eigen::Vector2d(pattern.wales * wale, pattern.courses * height);
-    const int perCourse = pattern.wales * start.nodesPerLoop;
     chains.nodes.resize(3, Eigen::Index{perCourse} * pattern.courses);
     for (int c = 0; c < pattern.courses; ++c) {
         const Entry first = c * perCourse;
-        chains.nodes.middleCols(first, perCourse) = evenly(course[static_cast<std::size_t>(c)], perCourse);
+        chains.nodes.middleCols(first, perCourse) = course[static_cast<std::size_t>(c)].leftCols(perCourse);
         chains.chains.push_back({first, perCourse, 0, true, 1, 0});
         const auto begin = loopLengths.begin() + c * pattern.wales;
         const double length = std::accumulate(begin, begin + pattern.wales, 0.0);

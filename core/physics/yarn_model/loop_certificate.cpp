@@ -31,11 +31,8 @@ int piercing(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Ve
     return !inside ? 0 : (to > from ? 1 : -1);
 }
 
-int piercings(std::span<const Eigen::Vector3d> way, const Points& rim) {
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& p : rim) {
-        centre += p / static_cast<double>(rim.size());
-    }
+/// Through the fan from `centre` to the rim.
+int piercings(std::span<const Eigen::Vector3d> way, const Points& rim, const Eigen::Vector3d& centre) {
     int sum = 0;
     for (std::size_t i = 0; i + 1 < way.size(); ++i) {
         for (std::size_t j = 0; j < rim.size(); ++j) {
@@ -58,6 +55,31 @@ Points loopPoints(const KnitPurl& pattern, const YarnChains& chains, const Vecto
     return points;
 }
 
+/// Any filling of the rim will do, and a fan may fold where the rim is much bent: so three are tried, from
+/// its middle and from half a diameter before and behind it. `found` is what the first one showed.
+bool certified(const Points& own, const Points& rim, int face, double diameter, LoopFault& found) {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& p : rim) {
+        middle += p / static_cast<double>(rim.size());
+    }
+    const std::span<const Eigen::Vector3d> all(own);
+    const std::size_t head = own.size() / 2;
+    for (const double depth : {0.0, 0.5, -0.5}) {
+        const Eigen::Vector3d centre = middle + Eigen::Vector3d(0, 0, depth * diameter);
+        // A loop runs from left to right, so seen from the front its rim turns clockwise.
+        const int left = -piercings(all.first(head + 1), rim, centre);
+        const int right = -piercings(all.subspan(head), rim, centre);
+        if (left == face && right == -face) {
+            return true;
+        }
+        if (depth == 0) {
+            found.leftPiercings = left;
+            found.rightPiercings = right;
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 std::vector<LoopFault> findLoopFaults(const KnitPurl& pattern, const YarnChains& chains, const Vector& x,
@@ -65,16 +87,11 @@ std::vector<LoopFault> findLoopFaults(const KnitPurl& pattern, const YarnChains&
     std::vector<LoopFault> faults;
     for (int course = 0; course < pattern.courses; ++course) {
         for (int wale = 0; wale < pattern.wales; ++wale) {
-            // A loop runs from left to right, so seen from the front its rim turns clockwise.
             const Points below = loopPoints(pattern, chains, x, perLoop, wale, course - 1);
             const Points own = loopPoints(pattern, chains, x, perLoop, wale, course);
-            const auto half = static_cast<std::size_t>(perLoop / 2 + 1);
-            const std::span<const Eigen::Vector3d> all(own);
-            const int left = -piercings(all.first(half), below);
-            const int right = -piercings(all.subspan(half - 1), below);
-            const int face = pattern.at(wale, course);
-            if (left != face || right != -face) {
-                faults.push_back({wale, course, left, right});
+            LoopFault found{wale, course, 0, 0};
+            if (!certified(own, below, pattern.at(wale, course), chains.yarns.front().outerDiameter, found)) {
+                faults.push_back(found);
             }
         }
     }
