@@ -79,9 +79,15 @@ void measure(const Fabric& f, Strand& s) {
     s.arc = s.length;
     switch (s.kind) {
     case Strand::Kind::Head:
-    case Strand::Kind::Sinker:
         s.rest = kArcChord * s.length;
         break;
+    case Strand::Kind::Sinker: {
+        // Yarn beyond that of a plain sinker was laid from bed to bed: it turns through the depth of the
+        // fabric and does not hold wales apart.
+        const double plain = fabric::kSinkerShare * madeOf(f, pointOf(f, s.last).loop).lengthMm;
+        s.rest = kArcChord * std::min(s.length, plain);
+        break;
+    }
     case Strand::Kind::Leg:
         s.rest = legRest(f, s);
         break;
