@@ -71,7 +71,8 @@ StepReport Fire::tryStep(Motion& motion, const Interrupt& interrupt) {
     m_descent *= -1;
     const double power = -m_gradient.dot(m_velocity);
     if (power < 0) {
-        x -= 0.5 * m_timeStep * m_velocity;
+        const Vector back = -0.5 * m_timeStep * m_velocity;
+        x += m_model->allowedStep(x, back, kDistortion) * back;
     }
     steer(power);
     m_velocity += m_timeStep * m_descent;
