@@ -90,9 +90,8 @@ void printText(const nlohmann::ordered_json& r) {
 int relaxPeriodic(const Loaded& loaded, const PeriodicOptions& options) {
     const std::optional<FabricRepeat> found = physics::findFabricRepeat(*loaded.fabric);
     if (!found) {
-        fmt::print(
-            stderr,
-            "--periodic: the fabric has no part of knit and purl stitches of one yarn that repeats itself\n");
+        fmt::print(stderr, "--periodic: most of the fabric would have to be knit and purl stitches of one "
+                           "yarn that repeat themselves\n");
         return kUnusable;
     }
     const yarn::Yarn& material = loaded.yarns[found->carrier];

@@ -123,7 +123,7 @@ std::optional<FabricRepeat> findFabricRepeat(const Fabric& f) {
         }
         first = end;
     }
-    if (bestCount < 2) {
+    if (bestCount < 2 || 2 * bestCount * courses[best].size() < f.loops.size()) {
         return std::nullopt;
     }
     const Part part = partOf(f, courses, best, bestCount);

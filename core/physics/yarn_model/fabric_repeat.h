@@ -17,8 +17,8 @@ struct FabricRepeat {
 };
 
 /// Looks at the longest run of courses in which every stitch is drawn through the one below it on the same
-/// needle number. Nothing when there is no such part of at least two repeats each way, or when a repeat is
-/// larger than kLargestRepeat.
+/// needle number. Nothing when that is less than half of the fabric or less than two repeats each way, or
+/// when a repeat is larger than kLargestRepeat: a repeat would then say little of the fabric.
 std::optional<FabricRepeat> findFabricRepeat(const fabric::Fabric& fabric);
 
 constexpr int kLargestRepeat = 24; ///< wales and courses

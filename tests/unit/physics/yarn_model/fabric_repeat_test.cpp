@@ -1,4 +1,5 @@
 #include "core/fabric/fabric_builder.h"
+#include "core/pattern/samples.h"
 #include "core/pattern/swatch.h"
 #include "core/physics/yarn_model/fabric_repeat.h"
 #include "core/physics/yarn_model/yarn_units.h"
@@ -60,7 +61,8 @@ TEST(FabricRepeat, IsNothingWhereNothingRepeats) {
     EXPECT_FALSE(repeatOf(pattern::makePlain(3, 10))); // too narrow: no wales but edges
     EXPECT_FALSE(repeatOf(pattern::makePlain(10, 1)));
     EXPECT_FALSE(repeatOf(machine::Program{}));
-    EXPECT_FALSE(repeatOf(pattern::makeRib(16, 8, 7, 9))); // one repeat and a half at most
+    EXPECT_FALSE(repeatOf(pattern::makeSample("cable-left"))); // plain between the cables only
+    EXPECT_FALSE(repeatOf(pattern::makeRib(16, 8, 7, 9)));     // one repeat and a half at most
 }
 
 TEST(YarnUnits, MakeOneYarnOfAllThatAreSimilar) {
