@@ -10,6 +10,12 @@ constexpr double kGrowth = 1.25; ///< at most, from one stage to the next
 constexpr double kLeastGrowth = 1.03;
 constexpr int kStepsPerStage = 1;
 constexpr double kThinnest = 0.02;
+constexpr double kNarrowest = 0.25; ///< cell over yarn diameter: below, it has folded up
+
+bool foldedUp(const YarnModel& model, const Vector& x) {
+    const std::optional<Eigen::Vector2d> cell = cellAt(x, model.cellEntry());
+    return cell && !(cell->minCoeff() > kNarrowest * model.thickestDiameter());
+}
 } // namespace
 
 YarnRelaxReport relaxYarns(YarnModel& model, Motion& motion, const YarnRelaxOptions& options) {
@@ -38,6 +44,10 @@ YarnRelaxReport relaxYarns(YarnModel& model, Motion& motion, const YarnRelaxOpti
         report.evaluations += step.evaluations;
         report.residual = rule.residual(step.forceNorm);
         report.energy = step.potential;
+        if (foldedUp(model, motion.positions)) {
+            report.verdict = StopRule::Verdict::Diverged;
+            break;
+        }
         if (thickness < 1) {
             if (++stageSteps < kStepsPerStage && step.outcome == StepReport::Outcome::Moved) {
                 continue;

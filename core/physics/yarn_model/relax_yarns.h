@@ -25,7 +25,8 @@ struct YarnRelaxReport {
 };
 
 /// From strands that may be nearer than their cores to rest: with yarns so thin that no cores overlap, which
-/// then grow to their true diameter as room is made for them.
+/// then grow to their true diameter as room is made for them. A cell that folds up to less than a yarn is
+/// given up as Diverged.
 YarnRelaxReport relaxYarns(YarnModel& model, Motion& motion, const YarnRelaxOptions& options = {});
 
 } // namespace knittsim::physics

@@ -16,6 +16,7 @@ YarnModel::YarnModel(const YarnChains& chains, int threads)
     : m_chains(chains.chains), m_nodeCount(chains.nodeCount()), m_cell(chains.cellEntry()),
       m_threads(threads), m_stretch(chains), m_bend(chains), m_contact(chains), m_cores(chains),
       m_guard(chains), m_restLength(chains.restLength) {
+    m_thickest = thickestYarn(chains.yarns);
     const std::vector<double> yarn = nodeLengths(chains);
     m_mass.resize(m_nodeCount + (m_cell >= 0 ? 1 : 0));
     double total = 0;
@@ -115,6 +116,10 @@ double YarnModel::allowedStep(const Vector& x, const Vector& move, double distor
             const double rest = m_restLength[static_cast<std::size_t>(c.first + i)];
             largest = std::max(largest, change.squaredNorm() / (rest * rest));
         }
+    }
+    if (m_cell >= 0) {
+        const auto change = at(move, m_cell).head<2>().cwiseQuotient(at(x, m_cell).head<2>());
+        largest = std::max(largest, change.squaredNorm());
     }
     const double whole = std::sqrt(largest);
     const double guarded = m_guard.allowed(x, move);

@@ -25,6 +25,7 @@ public:
     const Vector& mass() const override { return m_mass; } ///< yarn by node
     double stiffnessScale() const override { return m_stiffnessScale; }
     double lengthScale() const override { return m_lengthScale; }
+    double thickestDiameter() const { return m_thickest; } ///< outer, of all yarns
 
     /// Surroundings: gravity, a table, grips.
     void add(std::unique_ptr<EnergyTerm> term) { m_others.push_back(std::move(term)); }
@@ -74,6 +75,7 @@ private:
     Interrupt m_interrupt;
     double m_stiffnessScale = 1;
     double m_lengthScale = 1;
+    double m_thickest = 0;
     double m_ground = 0;
     Vector m_linearisedAt;
 };

@@ -167,6 +167,17 @@ TEST(YarnPreconditioner, GivesTheSameBitsForAnyNumberOfThreads) {
     EXPECT_EQ(z[0], z[2]);
 }
 
+TEST(YarnModel, ACellShrinksByNoMoreThanAllowedInOneStep) {
+    const YarnChains chains = cell(2, 2);
+    const YarnModel model(chains);
+    const Vector x = chains.start();
+    Vector move = Vector::Zero(x.size());
+    at(move, chains.cellEntry()).y() = -chains.cell->y();
+    const double allowed = model.allowedStep(x, move, 0.1);
+    EXPECT_GT(allowed, 0);
+    EXPECT_LE(allowed, 0.1);
+}
+
 TEST(YarnModel, ItsParts) {
     // Energy is the sum of the terms; the Hessian's product belongs to the gradient.
     const YarnChains chains = cell(2, 2);
