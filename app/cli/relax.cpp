@@ -137,6 +137,10 @@ int runRelax(const RelaxOptions& options) {
         fmt::print(stderr, "--model yarn and --periodic go together\n");
         return kUnusable;
     }
+    if (options.periodic && !(options.region.empty() && options.state.empty())) {
+        fmt::print(stderr, "--region and -o are for whole fabrics, not for --periodic\n");
+        return kUnusable;
+    }
     geometry::Region region;
     if (!options.region.empty()) {
         if (const std::string problem = parseRegion(options.region, region); !problem.empty()) {

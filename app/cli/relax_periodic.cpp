@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <limits>
 
 namespace knittsim::cli {
 
@@ -109,6 +110,7 @@ int relaxPeriodic(const Loaded& loaded, const PeriodicOptions& options) {
     physics::CellOptions cellOptions;
     cellOptions.relax.residual = options.until;
     cellOptions.relax.cancelled = &late;
+    cellOptions.relax.mostEvaluations = std::numeric_limits<int>::max(); // time is the limit
     if (!options.integrator.empty()) {
         cellOptions.relax.integrator = options.integrator.c_str();
     }
