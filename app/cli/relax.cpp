@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/load.h"
+#include "app/cli/relax_periodic.h"
 #include "core/base/file.h"
 #include "core/base/message_table.h"
 #include "core/geometry/measure.h"
@@ -26,6 +27,7 @@ struct RelaxOptions {
     double until = 1e-3;
     double maxSeconds = 60;
     bool json = false;
+    bool periodic = false;
 };
 
 /// "W0:W1,C0:C1". Returns what is wrong, or an empty string.
@@ -134,6 +136,15 @@ bool writeState(const std::string& path, const Loaded& loaded, const simulation:
 }
 
 int runRelax(const RelaxOptions& options) {
+    if (options.periodic != (options.model == "yarn")) {
+        // Whole fabrics settle in the bonding-point model, repeats in the yarn model.
+        fmt::print(stderr, "--model yarn and --periodic go together\n");
+        return kUnusable;
+    }
+    if (options.periodic && !(options.region.empty() && options.state.empty())) {
+        fmt::print(stderr, "--region and -o are for whole fabrics, not for --periodic\n");
+        return kUnusable;
+    }
     geometry::Region region;
     if (!options.region.empty()) {
         if (const std::string problem = parseRegion(options.region, region); !problem.empty()) {
@@ -144,6 +155,9 @@ int runRelax(const RelaxOptions& options) {
     const auto loaded = load(options.load);
     if (!loaded) {
         return kUnusable;
+    }
+    if (options.periodic) {
+        return relaxPeriodic(*loaded, {options.integrator, options.until, options.maxSeconds, options.json});
     }
     simulation::Simulation simulation;
     if (!options.integrator.empty()) {
@@ -177,7 +191,7 @@ void addRelax(CLI::App& app, Command& chosen) {
     CLI::App* command = app.add_subcommand("relax", "Let the fabric settle and measure it");
     command->add_option("file", options->load.file, "machine file")->required();
     command->add_option("--model", options->model, "what settles")
-        ->check(CLI::IsMember({"bonding-points"}))
+        ->check(CLI::IsMember({"bonding-points", "yarn"}))
         ->capture_default_str();
     std::vector<std::string> ids;
     for (const simulation::IntegratorInfo& info : simulation::integrators()) {
@@ -196,6 +210,7 @@ void addRelax(CLI::App& app, Command& chosen) {
         ->check(CLI::Range(0.0, 1e6))
         ->capture_default_str();
     command->add_option("--region", options->region, "W0:W1,C0:C1: wales and courses to measure, from 0");
+    command->add_flag("--periodic", options->periodic, "settle one repeat of the pattern (--model yarn)");
     command->add_flag("--json", options->json, "print JSON");
     command->add_option("-o", options->state, "write the settled shape (JSON)");
     command->callback([&chosen, options] { chosen = [options] { return runRelax(*options); }; });

@@ -100,13 +100,13 @@ private:
         addFoot(index, out);
     }
 
-    /// Sinker or float from one loop of a yarn to the next: needles passed, and courses passed while the
-    /// carrier stood.
+    /// Sinker or float from one loop of a yarn to the next: the way along and between the beds, and courses
+    /// passed while the carrier stood.
     double yarnBetween(LoopIndex from, LoopIndex to) const {
         const machine::Loop& loop = made(to);
         const auto courseOf = [&](LoopIndex l) { return m_fabric.loops[static_cast<std::size_t>(l)].course; };
         const int courses = std::abs(courseOf(to) - courseOf(from));
-        return kSinkerShare * loop.lengthMm + std::max(0.0, loop.wayPitches - 1) * m_fabric.pitchMm +
+        return kSinkerShare * loop.lengthMm + loop.floatMm +
                std::max(0, courses - 1) * kCourseShare * loop.lengthMm;
     }
 

@@ -223,8 +223,11 @@ void Emulator::hangLoops(const Operation& op, EmulationListener* listener) {
     }
     for (const CarrierIndex c : op.carriers) {
         CarrierState& state = carrier(c);
-        // One pitch of the way is the sinker, which the loop length includes.
-        state.fedMm += std::max(0.0, state.wayPitches - 1) * m_profile.pitchMm();
+        const double extra =
+            state.looped
+                ? m_profile.extraYarnMm(state.wayPitches, isFront(state.loopBed) != isFront(op.needle.bed))
+                : 0;
+        state.fedMm += extra;
         const double begin = state.fedMm;
         state.fedMm += m_state.loopLengthMm;
         if (!m_replay) {
@@ -236,6 +239,7 @@ void Emulator::hangLoops(const Operation& op, EmulationListener* listener) {
                                      .rack = m_state.rack,
                                      .lengthMm = m_state.loopLengthMm,
                                      .wayPitches = state.wayPitches,
+                                     .floatMm = extra,
                                      .yarnBeginMm = begin,
                                      .yarnEndMm = state.fedMm,
                                      .firstParent = firstParent,
@@ -249,6 +253,7 @@ void Emulator::hangLoops(const Operation& op, EmulationListener* listener) {
         }
         state.place = {op.needle, op.direction, at};
         state.looped = true;
+        state.loopBed = op.needle.bed;
         state.wayPitches = 0;
     }
 }

@@ -20,6 +20,7 @@ struct Loop {
     double rack = 0;                          ///< racking then, pitches
     double lengthMm = 0;                      ///< yarn of the loop from the stitch size
     double wayPitches = 0;  ///< way of the yarn from the loop before it; 0 for the first of a yarn
+    double floatMm = 0;     ///< yarn of that way beyond the sinker that `lengthMm` includes
     double yarnBeginMm = 0; ///< arc length along its yarn where the loop with its sinker begins
     double yarnEndMm = 0;
     std::int32_t firstParent = 0; ///< into LoopTable::parents

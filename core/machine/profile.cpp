@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace knittsim::machine {
 
@@ -94,6 +95,11 @@ MachineProfile readProfile(JsonReader& reader, const std::string& file, Diagnost
 }
 
 } // namespace
+
+double MachineProfile::extraYarnMm(double wayPitches, bool fromBedToBed) const {
+    const double way = std::hypot(wayPitches * pitchMm(), fromBedToBed ? bedGapMm : 0.0);
+    return std::max(0.0, way - pitchMm());
+}
 
 double MachineProfile::loopLengthMm(double stitchNumber) const {
     if (stitchTable.empty()) {

@@ -16,8 +16,8 @@ struct MachineProfile {
     std::string name;
     double gauge = 15; ///< needles per inch
     int needlesPerBed = 540;
-    double bedGapMm = 4; ///< distance of the two needle rows
-    double minRack = -8; ///< pitches
+    double bedGapMm = 2.2; ///< distance of the two needle rows
+    double minRack = -8;   ///< pitches
     double maxRack = 8;
     std::vector<double> rackFractions{0, 0.25, 0.5, 0.75}; ///< allowed fractional parts
     std::vector<std::string> carriers;
@@ -32,6 +32,10 @@ struct MachineProfile {
     /// Yarn in one plain loop, mm: linear between table entries, the end values outside; the default with no
     /// table.
     double loopLengthMm(double stitchNumber) const;
+
+    /// Yarn between two loops beyond the sinker of a plain loop, which spans one pitch: `wayPitches` along
+    /// the bed, and from bed to bed also across the gap. mm, never negative.
+    double extraYarnMm(double wayPitches, bool fromBedToBed) const;
 };
 
 /// Reads and checks one profile. Errors: KS0001, KS0003..KS0005.

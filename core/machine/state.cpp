@@ -69,6 +69,7 @@ void addCarrier(Digest& digest, const CarrierState& carrier) {
     digest.add(carrier.yarn);
     digest.add(carrier.fedMm);
     digest.add(carrier.wayPitches);
+    digest.add(static_cast<int>(carrier.loopBed));
     if (carrier.placed) {
         digest.add(static_cast<std::int32_t>(carrier.place.needle.bed));
         digest.add(carrier.place.needle.index);

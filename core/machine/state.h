@@ -19,13 +19,14 @@ struct CarrierPlace {
 };
 
 struct CarrierState {
-    bool in = false;        ///< in action
-    bool placed = false;    ///< has made a stitch or a miss since it came in
-    CarrierPlace place;     ///< valid when placed
-    bool looped = false;    ///< has made a loop since it came in
-    double wayPitches = 0;  ///< way since that loop, there and back added up
-    std::int32_t yarn = -1; ///< running number of its yarn, -1 before the first
-    double fedMm = 0;       ///< yarn fed of this yarn so far
+    bool in = false;          ///< in action
+    bool placed = false;      ///< has made a stitch or a miss since it came in
+    CarrierPlace place;       ///< valid when placed
+    bool looped = false;      ///< has made a loop since it came in
+    Bed loopBed = Bed::Front; ///< where that loop was made
+    double wayPitches = 0;    ///< way since that loop, there and back added up
+    std::int32_t yarn = -1;   ///< running number of its yarn, -1 before the first
+    double fedMm = 0;         ///< yarn fed of this yarn so far
 
     bool operator==(const CarrierState&) const = default;
 };

@@ -20,7 +20,7 @@ Vector byCoordinate(const Vector& byEntry) {
 
 } // namespace
 
-void DampedDynamics::attach(Model& model, const Motion& motion) {
+void DampedDynamics::attach(System& model, const Motion& motion) {
     m_model = &model;
     m_model->linearise(motion.positions);
     m_inverseMass = byCoordinate(model.mass()).cwiseInverse();

@@ -18,9 +18,9 @@ namespace knittsim::physics {
 class DampedDynamics {
 public:
     /// Finds w for the shape of `motion`.
-    void attach(Model& model, const Motion& motion);
+    void attach(System& model, const Motion& motion);
 
-    Model& model() const { return *m_model; }
+    System& model() const { return *m_model; }
     double frequency() const { return m_frequency; }     ///< w, 1/s
     double massDamping() const { return m_massDamping; } ///< a/w
     Eigen::Index size() const { return 2 * m_model->size(); }
@@ -51,7 +51,7 @@ private:
 
     double highestFrequency() const;
 
-    Model* m_model = nullptr;
+    System* m_model = nullptr;
     Vector m_inverseMass; ///< by coordinate, times 1/w^2
     double m_frequency = 1;
     double m_massDamping = 0;

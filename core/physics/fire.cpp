@@ -14,8 +14,9 @@ constexpr int kMetricLife = 40;
 constexpr double kDistortion = 0.1; // a step; a viewer sees several in one picture
 } // namespace
 
-void Fire::initialise(Model& model, const Motion& /*motion*/) {
+void Fire::initialise(System& model, const Motion& /*motion*/) {
     m_model = &model;
+    m_metric = model.makeMetric();
     m_fresh = true;
 }
 
@@ -27,7 +28,7 @@ StepReport Fire::step(Motion& motion, const Interrupt& interrupt) {
 
 void Fire::refreshMetric(const Vector& x) {
     m_model->linearise(x);
-    m_metric.build(*m_model);
+    m_metric->build();
     m_untilRefresh = kMetricLife;
 }
 
@@ -66,28 +67,29 @@ StepReport Fire::tryStep(Motion& motion, const Interrupt& interrupt) {
         refreshMetric(x);
     }
     interrupt.check();
-    m_metric.apply(m_gradient, m_descent);
+    m_metric->apply(m_gradient, m_descent);
     m_descent *= -1;
     const double power = -m_gradient.dot(m_velocity);
     if (power < 0) {
-        x -= 0.5 * m_timeStep * m_velocity;
+        const Vector back = -0.5 * m_timeStep * m_velocity;
+        x += m_model->allowedStep(x, back, kDistortion) * back;
     }
     steer(power);
     m_velocity += m_timeStep * m_descent;
     Vector move = m_timeStep * m_velocity;
-    const double distortion = m_model->largestDistortion(x, move);
-    if (distortion > kDistortion) {
-        move *= kDistortion / distortion;
-        m_velocity *= kDistortion / distortion;
-    }
     m_model->mask(move);
+    const double share = m_model->allowedStep(x, move, kDistortion);
+    if (share < 1) {
+        move *= share;
+        m_velocity *= share;
+    }
     x += move;
     m_energy = m_model->evaluate(x, &m_gradient);
     ++report.evaluations;
     motion.positions.swap(x);
     motion.velocities.setZero(move.size());
     report.potential = m_energy;
-    report.kinetic = m_metric.halfSquare(m_velocity);
+    report.kinetic = m_metric->halfSquare(m_velocity);
     report.forceNorm = m_gradient.norm();
     report.largestMove = move.cwiseAbs().maxCoeff();
     return report;

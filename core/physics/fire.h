@@ -10,7 +10,7 @@ namespace knittsim::physics {
 /// climbs. When it climbs it goes back half a step ("quick restart") before it starts anew. One force a step.
 class Fire final : public Integrator {
 public:
-    void initialise(Model& model, const Motion& motion) override;
+    void initialise(System& model, const Motion& motion) override;
     StepReport step(Motion& motion, const Interrupt& interrupt) override;
 
 private:
@@ -18,8 +18,8 @@ private:
     void refreshMetric(const Vector& x);
     void steer(double power);
 
-    Model* m_model = nullptr;
-    BlockJacobi m_metric;
+    System* m_model = nullptr;
+    std::unique_ptr<Metric> m_metric;
     Vector m_gradient;
     Vector m_descent;  ///< -D^-1 gradient
     Vector m_velocity; ///< mm per unit time

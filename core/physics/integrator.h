@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/physics/interrupt.h"
-#include "core/physics/model.h"
+#include "core/physics/system.h"
 
 #include <memory>
 #include <span>
@@ -10,7 +9,8 @@
 
 namespace knittsim::physics {
 
-/// Shape and motion of a fabric; what one integrator hands to the next.
+/// Shape and motion of a fabric (units of the bonding-point model; the yarn model has its own); what one
+/// integrator hands to the next.
 struct Motion {
     Vector positions;  ///< mm
     Vector velocities; ///< mm/s; 0 for integrators without time
@@ -35,7 +35,7 @@ struct StepReport {
 };
 
 /// Runs one step with the model listening to `interrupt`; an interruption becomes a report.
-template<class Step> StepReport interruptible(Model& model, const Interrupt& interrupt, Step step) {
+template<class Step> StepReport interruptible(System& model, const Interrupt& interrupt, Step step) {
     StepReport report;
     model.setInterrupt(interrupt);
     try {
@@ -54,7 +54,7 @@ public:
 
     /// Starts at a motion; also after the model's pins, pulls or yarns, or the shape have changed from
     /// outside. The model must outlive the integrator or the next call.
-    virtual void initialise(Model& model, const Motion& motion) = 0;
+    virtual void initialise(System& model, const Motion& motion) = 0;
 
     /// Moves on from where the last step left `motion`.
     virtual StepReport step(Motion& motion, const Interrupt& interrupt) = 0;

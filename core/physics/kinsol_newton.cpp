@@ -48,13 +48,13 @@ void KinsolNewton::release() {
     }
 }
 
-void KinsolNewton::initialise(Model& model, const Motion& /*motion*/) {
+void KinsolNewton::initialise(System& model, const Motion& /*motion*/) {
     m_model = &model;
     release();
 }
 
 void KinsolNewton::create() {
-    m_preconditioner.prepare(*m_model);
+    m_preconditioner = m_model->makePreconditioner();
     m_x = std::make_unique<sundials::StateVector>(m_model->size(), m_context);
     m_ones = std::make_unique<sundials::StateVector>(m_model->size(), m_context);
     m_ones->map().setOnes();
@@ -110,14 +110,14 @@ int KinsolNewton::setUp(N_Vector x) {
     return guarded([&] {
         m_in = sundials::view(x);
         m_model->linearise(m_in);
-        m_preconditioner.build(*m_model);
+        m_preconditioner->build();
     });
 }
 
 int KinsolNewton::precondition(N_Vector v) {
     return guarded([&] {
         m_in = sundials::view(v);
-        m_preconditioner.apply(m_in, m_out);
+        m_preconditioner->apply(m_in, m_out);
         sundials::view(v) = m_out;
     });
 }
@@ -141,13 +141,12 @@ StepReport KinsolNewton::step(Motion& motion, const Interrupt& interrupt) {
 StepReport KinsolNewton::finish(Motion& motion, int flag) {
     StepReport report;
     Vector move = m_x->map() - motion.positions;
-    const double distortion = m_model->largestDistortion(motion.positions, move);
     if (sundials::meaningOf(sundials::Package::Kinsol, flag) == sundials::Meaning::GaveUp) {
         report.note = sundials::nameOf(sundials::Package::Kinsol, flag);
         report.outcome = StepReport::Outcome::Stuck;
         move.setZero();
-    } else if (distortion > kLargestDistortion) {
-        move *= kLargestDistortion / distortion;
+    } else {
+        move *= m_model->allowedStep(motion.positions, move, kLargestDistortion);
     }
     const Vector next = motion.positions + move;
     Vector gradient;

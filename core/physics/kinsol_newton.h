@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/physics/integrator.h"
+#include "core/physics/preconditioner.h"
 #include "core/physics/sundials_support.h"
-#include "core/physics/two_level.h"
 
 #include <sundials/sundials_linearsolver.h>
 
@@ -17,7 +17,7 @@ public:
     KinsolNewton(const KinsolNewton&) = delete;
     KinsolNewton& operator=(const KinsolNewton&) = delete;
 
-    void initialise(Model& model, const Motion& motion) override;
+    void initialise(System& model, const Motion& motion) override;
     StepReport step(Motion& motion, const Interrupt& interrupt) override;
     bool takesLargeSteps() const override { return true; }
 
@@ -37,8 +37,8 @@ private:
     std::unique_ptr<sundials::StateVector> m_x, m_ones;
     void* m_memory = nullptr;
     SUNLinearSolver m_linear = nullptr;
-    Model* m_model = nullptr;
-    TwoLevel m_preconditioner;
+    System* m_model = nullptr;
+    std::unique_ptr<Preconditioner> m_preconditioner;
     Interrupt m_interrupt;
     Vector m_in, m_out;
     int m_evaluations = 0;

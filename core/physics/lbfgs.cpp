@@ -9,8 +9,9 @@ constexpr std::size_t kMemory = 8;
 constexpr int kMetricLife = 40;
 } // namespace
 
-void Lbfgs::initialise(Model& model, const Motion& /*motion*/) {
+void Lbfgs::initialise(System& model, const Motion& /*motion*/) {
     m_model = &model;
+    m_metric = model.makeMetric();
     m_fresh = true;
 }
 
@@ -34,7 +35,7 @@ Vector Lbfgs::direction() {
         q -= alpha[i] * m_pairs[i].change;
     }
     Vector p;
-    m_metric.apply(q, p);
+    m_metric->apply(q, p);
     for (std::size_t i = 0; i < m_pairs.size(); ++i) {
         p += (alpha[i] - m_pairs[i].inverse * m_pairs[i].change.dot(p)) * m_pairs[i].move;
     }
@@ -61,7 +62,7 @@ StepReport Lbfgs::tryStep(Motion& motion, const Interrupt& interrupt) {
     }
     if (m_untilRefresh-- <= 0) {
         m_model->linearise(motion.positions);
-        m_metric.build(*m_model);
+        m_metric->build();
         m_untilRefresh = kMetricLife;
     }
     interrupt.check();

@@ -10,7 +10,7 @@ namespace knittsim::physics {
 /// Limited-memory BFGS that starts from the Hessian's diagonal blocks, with a step that lowers the energy.
 class Lbfgs final : public Integrator {
 public:
-    void initialise(Model& model, const Motion& motion) override;
+    void initialise(System& model, const Motion& motion) override;
     StepReport step(Motion& motion, const Interrupt& interrupt) override;
 
 private:
@@ -26,8 +26,8 @@ private:
     Vector direction();
     void remember(const Vector& move, const Vector& change);
 
-    Model* m_model = nullptr;
-    BlockJacobi m_metric;
+    System* m_model = nullptr;
+    std::unique_ptr<Metric> m_metric;
     std::deque<Pair> m_pairs;
     Vector m_gradient;
     double m_energy = 0;

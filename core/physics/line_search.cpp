@@ -26,11 +26,11 @@ bool LineSearch::accepts(double length, double slope) const {
 
 bool LineSearch::run(const Vector& move, double longest, const Interrupt& interrupt) {
     const double slope = m_gradient.dot(move);
-    const double distortion = m_model.largestDistortion(m_x, move);
-    if (!(slope < 0) || !std::isfinite(distortion)) {
+    const double allowed = m_model.allowedStep(m_x, move, kLargestDistortion);
+    if (!(slope < 0) || !(allowed > 0)) {
         return false;
     }
-    double length = std::min(longest, kLargestDistortion / std::max(1e-12, distortion));
+    double length = std::min(longest, allowed);
     for (int trial = 0; trial < kMostTrials; ++trial, length *= 0.5) {
         interrupt.check();
         m_trial = m_x + length * move;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/physics/interrupt.h"
-#include "core/physics/model.h"
+#include "core/physics/system.h"
 
 namespace knittsim::physics {
 
@@ -9,7 +9,7 @@ namespace knittsim::physics {
 /// halves (Armijo). Near rest, where energies differ by rounding only, a smaller force counts too.
 class LineSearch {
 public:
-    LineSearch(const Model& model, const Vector& x, double energy, const Vector& gradient)
+    LineSearch(const System& model, const Vector& x, double energy, const Vector& gradient)
         : m_model(model), m_x(x), m_energy(energy), m_gradient(gradient) {}
 
     /// Tries `longest` times `move` at most. False when nothing better was found.
@@ -23,7 +23,7 @@ public:
 private:
     bool accepts(double length, double slope) const;
 
-    const Model& m_model;
+    const System& m_model;
     const Vector& m_x;
     double m_energy;
     const Vector& m_gradient;

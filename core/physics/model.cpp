@@ -1,5 +1,7 @@
 #include "core/physics/model.h"
 
+#include "core/physics/two_level.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -111,6 +113,22 @@ void Model::mask(Vector& v) const {
     for (const Entry e : m_pinnedEntries) {
         at(v, e).setZero();
     }
+}
+
+double Model::allowedStep(const Vector& x, const Vector& move, double distortion) const {
+    const double whole = largestDistortion(x, move);
+    if (!std::isfinite(whole)) {
+        return 0;
+    }
+    return whole > distortion ? distortion / whole : 1;
+}
+
+std::unique_ptr<Metric> Model::makeMetric() const {
+    return std::make_unique<BlockJacobi>(*this);
+}
+
+std::unique_ptr<Preconditioner> Model::makePreconditioner() const {
+    return std::make_unique<TwoLevel>(*this);
 }
 
 double Model::largestDistortion(const Vector& x, const Vector& move) const {

@@ -85,8 +85,8 @@ void Multistep::useFixedPoint(N_Vector y) {
 }
 
 void Multistep::useNewtonKrylov(N_Vector y) {
-    const Model& model = dynamics().model();
-    m_preconditioner.prepare(model);
+    const System& model = dynamics().model();
+    m_preconditioner = model.makePreconditioner();
     m_mass.resize(model.size());
     for (Entry e = 0; e < model.entryCount(); ++e) {
         at(m_mass, e).setConstant(model.mass()[e]);
@@ -105,13 +105,13 @@ void Multistep::useNewtonKrylov(N_Vector y) {
 int Multistep::setUp(double gamma) {
     return guarded([&](DampedDynamics& d) {
         const double w2 = d.frequency() * d.frequency();
-        m_preconditioner.build(d.model(), (1 + gamma * d.massDamping()) * w2 / (gamma * (1 + gamma)));
+        m_preconditioner->build((1 + gamma * d.massDamping()) * w2 / (gamma * (1 + gamma)));
     });
 }
 
 int Multistep::solve(double gamma, Eigen::Ref<const Vector> r, Eigen::Ref<Vector> z) {
     return guarded([&](DampedDynamics& d) {
-        const Model& model = d.model();
+        const System& model = d.model();
         const Eigen::Index n = model.size();
         const double w2 = d.frequency() * d.frequency();
         const double s = gamma * (1 + gamma);
@@ -127,7 +127,7 @@ int Multistep::solve(double gamma, Eigen::Ref<const Vector> r, Eigen::Ref<Vector
                 model.multiply(v, y);
                 y += massFactor * m_mass.cwiseProduct(v);
             },
-            [&](const Vector& v, Vector& y) { m_preconditioner.apply(v, y); }, right, velocity,
+            [&](const Vector& v, Vector& y) { m_preconditioner->apply(v, y); }, right, velocity,
             kInnerTolerance, kInnerIterations, interrupt());
         d.evaluations += result.iterations;
         z.head(n) = rx + gamma * velocity;

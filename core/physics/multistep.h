@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/physics/preconditioner.h"
 #include "core/physics/time_stepper.h"
-#include "core/physics/two_level.h"
 
 #include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_nonlinearsolver.h>
@@ -37,7 +37,7 @@ private:
     void* m_memory = nullptr;
     SUNNonlinearSolver m_nonlinear = nullptr;
     SUNLinearSolver m_linear = nullptr;
-    TwoLevel m_preconditioner;
+    std::unique_ptr<Preconditioner> m_preconditioner;
     Vector m_mass; ///< by coordinate, kg
 };
 

@@ -11,7 +11,7 @@ namespace {
 constexpr int kMostIterations = 400;
 } // namespace
 
-void NewtonCg::initialise(Model& model, const Motion& /*motion*/) {
+void NewtonCg::initialise(System& model, const Motion& /*motion*/) {
     m_model = &model;
     m_fresh = true;
 }
@@ -24,7 +24,7 @@ StepReport NewtonCg::tryStep(Motion& motion, const Interrupt& interrupt) {
     StepReport report;
     Vector& x = motion.positions;
     if (m_fresh) {
-        m_preconditioner.prepare(*m_model);
+        m_preconditioner = m_model->makePreconditioner();
         interrupt.check();
         m_energy = m_model->evaluate(x, &m_gradient);
         m_lastNorm = m_gradient.norm();
@@ -33,7 +33,7 @@ StepReport NewtonCg::tryStep(Motion& motion, const Interrupt& interrupt) {
     }
     const double norm = m_gradient.norm();
     m_model->linearise(x);
-    m_preconditioner.build(*m_model);
+    m_preconditioner->build();
     interrupt.check();
 
     const double ratio = m_lastNorm > 0 ? norm / m_lastNorm : 1;
@@ -41,7 +41,7 @@ StepReport NewtonCg::tryStep(Motion& motion, const Interrupt& interrupt) {
     Vector move;
     const CgResult solve =
         conjugateGradients([&](const Vector& v, Vector& y) { m_model->multiply(v, y); },
-                           [&](const Vector& r, Vector& z) { m_preconditioner.apply(r, z); },
+                           [&](const Vector& r, Vector& z) { m_preconditioner->apply(r, z); },
                            Vector(-m_gradient), move, forcing, kMostIterations, interrupt);
     m_model->mask(move);
     report.evaluations += solve.iterations;

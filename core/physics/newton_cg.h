@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/physics/integrator.h"
-#include "core/physics/two_level.h"
+#include "core/physics/preconditioner.h"
 
 namespace knittsim::physics {
 
@@ -10,15 +10,15 @@ namespace knittsim::physics {
 /// along p that lowers the energy.
 class NewtonCg final : public Integrator {
 public:
-    void initialise(Model& model, const Motion& motion) override;
+    void initialise(System& model, const Motion& motion) override;
     StepReport step(Motion& motion, const Interrupt& interrupt) override;
     bool takesLargeSteps() const override { return true; }
 
 private:
     StepReport tryStep(Motion& motion, const Interrupt& interrupt);
 
-    Model* m_model = nullptr;
-    TwoLevel m_preconditioner;
+    System* m_model = nullptr;
+    std::unique_ptr<Preconditioner> m_preconditioner;
     Vector m_gradient;
     double m_energy = 0;
     double m_lastNorm = 0;

@@ -1,15 +1,17 @@
 #include "core/physics/preconditioner.h"
 
+#include "core/physics/model.h"
+
 #include <Eigen/LU>
 
 namespace knittsim::physics {
 
-void BlockJacobi::build(const Model& model, double massFactor) {
-    m_blocks = model.diagonal();
+void BlockJacobi::build(double massFactor) {
+    m_blocks = m_model.diagonal();
     m_inverse.resize(3, m_blocks.cols());
-    for (Entry e = 0; e < model.entryCount(); ++e) {
+    for (Entry e = 0; e < m_model.entryCount(); ++e) {
         auto block = m_blocks.middleCols<3>(Eigen::Index{3} * e);
-        block.diagonal().array() += massFactor * model.mass()[e];
+        block.diagonal().array() += massFactor * m_model.mass()[e];
         const Matrix3 inverse = Matrix3(block).inverse();
         m_inverse.middleCols<3>(Eigen::Index{3} * e) = 0.5 * (inverse + inverse.transpose());
     }

@@ -17,16 +17,23 @@ constexpr std::int64_t kLargeStepLimit = 2'000;
 constexpr std::int64_t kSmallStepLimit = 1'000'000;
 } // namespace
 
-void StopRule::setReference(const Model& model, const Vector& start) {
-    Vector gradient;
-    m_referenceEnergy = model.evaluate(start, &gradient);
+void StopRule::setReference(const System& model) {
     const double spring = kSmallStrain * model.stiffnessScale() * model.lengthScale();
-    const double smallest = std::max(1e-12, spring * std::sqrt(static_cast<double>(model.entryCount())));
-    const double norm = gradient.norm();
-    m_reference = std::isfinite(norm) ? std::max(norm, smallest) : smallest;
-    m_referenceEnergy = std::max(m_referenceEnergy, m_reference * m_reference / model.stiffnessScale());
+    m_reference = std::max(1e-12, spring * std::sqrt(static_cast<double>(model.entryCount())));
+    m_referenceEnergy = m_reference * m_reference / model.stiffnessScale();
     m_shapeTolerance = kShapeTolerance * model.lengthScale();
     restart();
+}
+
+void StopRule::setReference(const System& model, const Vector& start) {
+    setReference(model);
+    Vector gradient;
+    const double energy = model.evaluate(start, &gradient);
+    const double norm = gradient.norm();
+    if (std::isfinite(norm)) {
+        m_reference = std::max(m_reference, norm);
+    }
+    m_referenceEnergy = std::max(energy, m_reference * m_reference / model.stiffnessScale());
 }
 
 void StopRule::restart() {

@@ -14,7 +14,11 @@ public:
     /// Measures forces against those at the shape `start` (the machine's positions), or against a small share
     /// of what the springs can do where the start is at rest already. Call again when the model's yarns
     /// change.
-    void setReference(const Model& model, const Vector& start);
+    void setReference(const System& model, const Vector& start);
+
+    /// Measures forces against what the system's yarns can do when bent or stretched a little: where the
+    /// first forces say nothing, because the start is arbitrary.
+    void setReference(const System& model);
 
     /// Forgets the past steps; the reference stays.
     void restart();

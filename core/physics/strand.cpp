@@ -87,9 +87,13 @@ void measure(const Fabric& f, Strand& s) {
     case Strand::Kind::Head:
         s.rest = kArcChord * withoutSlack(f, s, fabric::kHeadShare);
         break;
-    case Strand::Kind::Sinker:
-        s.rest = kArcChord * s.length;
+    case Strand::Kind::Sinker: {
+        // Yarn beyond that of a plain sinker was laid from bed to bed: it turns through the depth of the
+        // fabric and does not hold wales apart.
+        const double plain = fabric::kSinkerShare * madeOf(f, pointOf(f, s.last).loop).lengthMm;
+        s.rest = kArcChord * std::min(s.length, plain);
         break;
+    }
     case Strand::Kind::Leg:
         s.rest = legRest(f, s);
         break;

@@ -8,7 +8,7 @@ namespace {
 constexpr int kFreezeInterval = 50; // steps
 } // namespace
 
-void TimeStepper::initialise(Model& model, const Motion& /*motion*/) {
+void TimeStepper::initialise(System& model, const Motion& /*motion*/) {
     m_model = &model;
     m_attached = false;
     m_ready = false;

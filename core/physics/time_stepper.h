@@ -11,7 +11,7 @@ namespace knittsim::physics {
 /// SUNDIALS' calls, and a Hessian for the damping that is renewed now and then.
 class TimeStepper : public Integrator {
 public:
-    void initialise(Model& model, const Motion& motion) override;
+    void initialise(System& model, const Motion& motion) override;
     StepReport step(Motion& motion, const Interrupt& interrupt) override;
 
     /// For SUNDIALS' callbacks: runs `work`; 0 when done, -1 when interrupted or out of memory.
@@ -54,7 +54,7 @@ private:
     Interrupt m_interrupt;
     double m_scaledTime = 0;
     int m_untilFreeze = 0;
-    Model* m_model = nullptr;
+    System* m_model = nullptr;
     bool m_attached = false;
     bool m_ready = false;
 };

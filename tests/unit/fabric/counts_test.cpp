@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <numeric>
 
 namespace knittsim::fabric {
@@ -89,6 +90,20 @@ TEST(Counts, AFloatFeedsTheNeedlesItPasses) {
     EXPECT_NEAR(fabric.lengths[1], loop * (2 * kLegShare + kSinkerShare), 1e-9);
     EXPECT_NEAR(fabric.lengths[3], fabric.lengths[1] + 4 * pitch, 1e-9);
     EXPECT_NEAR(timeline.finalState().carriers[0].fedMm, 3 * loop + 4 * pitch, 1e-9);
+}
+
+TEST(Counts, AYarnThatChangesBedsTakesTheGapToo) {
+    const machine::Timeline timeline =
+        test::timeline("in 1\nknit + f0 1\nknit + b1 1\nknit + b2 1\nknit + f3 1\n");
+    const Fabric fabric = buildFabric(timeline);
+    const double sinker = fabric.lengths[3]; // b1 to b2, of one bed
+    const double extra = std::hypot(timeline.profile().pitchMm(), timeline.profile().bedGapMm) -
+                         timeline.profile().pitchMm();
+    EXPECT_GT(extra, 1);
+    EXPECT_NEAR(fabric.lengths[1], sinker + extra, 1e-9);
+    EXPECT_NEAR(fabric.lengths[5], sinker + extra, 1e-9);
+    EXPECT_NEAR(timeline.finalState().carriers[0].fedMm,
+                4 * timeline.profile().defaultLoopLengthMm + 2 * extra, 1e-9);
 }
 
 TEST(Counts, AParkedYarnIsDrawnAsFarAsTheFabricGrows) {

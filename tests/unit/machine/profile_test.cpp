@@ -52,6 +52,17 @@ TEST(Profile, ReadsEveryKey) {
     EXPECT_THAT(profile.stitchTable, SizeIs(2));
 }
 
+TEST(Profile, AWayTakesYarnBeyondThePlainSinker) {
+    MachineProfile profile;
+    profile.gauge = 25.4; // pitch 1 mm
+    profile.bedGapMm = 3;
+    EXPECT_DOUBLE_EQ(profile.extraYarnMm(1, false), 0); // the sinker of a plain loop
+    EXPECT_DOUBLE_EQ(profile.extraYarnMm(0.5, false), 0);
+    EXPECT_DOUBLE_EQ(profile.extraYarnMm(5, false), 4);
+    EXPECT_DOUBLE_EQ(profile.extraYarnMm(4, true), 4); // the hypotenuse of 4 and 3
+    EXPECT_DOUBLE_EQ(profile.extraYarnMm(0, true), 2); // straight across
+}
+
 TEST(Profile, LoopLengthIsLinearBetweenEntriesAndConstantOutside) {
     const Result<MachineProfile> result = parseMachineProfile(kGood, "own.json");
     ASSERT_TRUE(result);

@@ -76,7 +76,7 @@ TEST_P(RandomTimeline, YarnFedIsTheLoopsPlusTheFloats) {
     std::vector<double> fed(static_cast<std::size_t>(m_timeline.finalState().yarnCount), 0);
     for (const Loop& loop : m_timeline.loops().loops) {
         double& sum = fed[static_cast<std::size_t>(loop.yarn)];
-        sum += loop.lengthMm + std::max(0.0, loop.wayPitches - 1) * m_timeline.profile().pitchMm();
+        sum += loop.lengthMm + loop.floatMm;
         ASSERT_NEAR(loop.yarnEndMm, sum, 1e-6);
     }
 }

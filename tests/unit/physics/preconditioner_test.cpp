@@ -13,9 +13,8 @@ TEST(TwoLevel, IsSymmetricAndPositive) {
     Model& model = *net.model;
     model.setPinned(3, true);
     model.linearise(machinePositions(f));
-    TwoLevel m;
-    m.prepare(model);
-    m.build(model);
+    TwoLevel m(model);
+    m.build();
     Vector a(model.size());
     Vector b(model.size());
     for (Eigen::Index i = 0; i < a.size(); ++i) {
@@ -41,11 +40,10 @@ TEST(TwoLevel, NeedsFarFewerIterationsThanBlockJacobi) {
     model.linearise(x);
     Vector gradient;
     model.evaluate(x, &gradient);
-    TwoLevel two;
-    two.prepare(model);
-    two.build(model);
-    BlockJacobi one;
-    one.build(model);
+    TwoLevel two(model);
+    two.build();
+    BlockJacobi one(model);
+    one.build();
     Vector move;
     const auto product = [&](const Vector& v, Vector& y) { model.multiply(v, y); };
     const CgResult slow = conjugateGradients(product, [&](const Vector& r, Vector& z) { one.apply(r, z); },

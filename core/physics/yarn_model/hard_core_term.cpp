@@ -1,0 +1,128 @@
+#include "core/physics/yarn_model/hard_core_term.h"
+
+#include "core/physics/yarn_model/segment_distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace knittsim::physics {
+
+namespace {
+constexpr double kSkin = 0.3; ///< outer diameters of the thickest yarn
+constexpr double kTiny = 1e-12;
+} // namespace
+
+HardCoreTerm::HardCoreTerm(const YarnChains& chains)
+    : m_own(chains), m_yarns(chains.yarns), m_cell(chains.cellEntry()), m_hessian(chains.cellEntry()),
+      m_skin(chains.nodeCount(), chains.cellEntry(), kSkin * thickestYarn(chains.yarns)) {
+    for (const Chain& chain : chains.chains) {
+        const RodYarn& yarn = m_yarns[static_cast<std::size_t>(chain.yarn)];
+        for (Entry i = 0; i < chain.segmentCount(); ++i) {
+            const double rest = chains.restLength[static_cast<std::size_t>(chain.first + i)];
+            m_segments.push_back({chain.place(i), chain.place(i + 1), rest,
+                                  OwnStretch::kExclusion * 0.5 * yarn.outerDiameter + rest,
+                                  static_cast<std::size_t>(chain.yarn)});
+        }
+    }
+    setThickness(1);
+}
+
+void HardCoreTerm::setThickness(double share) {
+    m_thickness = share;
+    m_kernels.clear();
+    m_reach = 0;
+    for (const RodYarn& a : m_yarns) {
+        for (const RodYarn& b : m_yarns) {
+            const double core = 0.5 * share * (a.coreDiameter + b.coreDiameter);
+            m_kernels.emplace_back(core, kReach * core,
+                                   kStiffness * std::sqrt(a.contactStiffness * b.contactStiffness));
+            m_reach = std::max(m_reach, kReach * core);
+        }
+    }
+    m_skin.forget();
+}
+
+void HardCoreTerm::findCandidates(const Vector& x) const {
+    m_candidates.clear();
+    m_skin.renew(x, m_reach);
+    const std::optional<Eigen::Vector2d> cell = cellAt(x, m_cell);
+    if (!x.allFinite() || (cell && !(cell->minCoeff() > 0))) {
+        return;
+    }
+    Eigen::Matrix3Xd middles(3, static_cast<Eigen::Index>(m_segments.size()));
+    double longest = 0;
+    for (std::size_t i = 0; i < m_segments.size(); ++i) {
+        const Eigen::Vector3d begin = position(x, m_cell, m_segments[i].begin);
+        const Eigen::Vector3d end = position(x, m_cell, m_segments[i].end);
+        middles.col(static_cast<Eigen::Index>(i)) = 0.5 * (begin + end);
+        longest = std::max(longest, (end - begin).norm());
+    }
+    for (const NearPair& pair : findNearPairs(middles, cell, m_reach + m_skin.thickness() + longest)) {
+        addCandidate(x, pair);
+    }
+}
+
+void HardCoreTerm::addCandidate(const Vector& x, const NearPair& pair) const {
+    const Segment& a = m_segments[static_cast<std::size_t>(pair.a)];
+    const Segment& b = m_segments[static_cast<std::size_t>(pair.b.node)];
+    const Place begin = b.begin.shifted(pair.b.across, pair.b.up);
+    const Place end = b.end.shifted(pair.b.across, pair.b.up);
+    const double distance = closestPoints(position(x, m_cell, a.begin), position(x, m_cell, a.end),
+                                          position(x, m_cell, begin), position(x, m_cell, end))
+                                .distance;
+    if (distance < m_reach + m_skin.thickness() && m_own.along(a.begin.node, begin) >= a.exclusion) {
+        m_candidates.push_back(
+            {{a.begin, a.end, begin, end}, a.yarn * m_yarns.size() + b.yarn, 2 * a.rest * b.rest});
+    }
+}
+
+template<class Visit> void HardCoreTerm::forTouches(const Vector& x, Visit visit) const {
+    if (m_skin.outOfDate(x)) {
+        findCandidates(x);
+    }
+    for (const Candidate& c : m_candidates) {
+        const Eigen::Vector3d a0 = position(x, m_cell, c.places[0]);
+        const Eigen::Vector3d a1 = position(x, m_cell, c.places[1]);
+        const Eigen::Vector3d b0 = position(x, m_cell, c.places[2]);
+        const Eigen::Vector3d b1 = position(x, m_cell, c.places[3]);
+        const double reach = m_kernels[c.kernel].reach();
+        // Balls around the segments: most candidates are not that near.
+        const double balls = reach + 0.5 * ((a1 - a0).norm() + (b1 - b0).norm());
+        if ((b0 + b1 - a0 - a1).squaredNorm() >= 4 * balls * balls) {
+            continue;
+        }
+        const ClosestPoints closest = closestPoints(a0, a1, b0, b1);
+        if (closest.distance >= reach || closest.distance <= kTiny) {
+            continue;
+        }
+        const Eigen::Vector3d apart = b0 + closest.t * (b1 - b0) - a0 - closest.s * (a1 - a0);
+        ContactKernel::Value value = m_kernels[c.kernel].at(closest.distance);
+        value.energy *= c.weight;
+        value.slope *= c.weight;
+        value.curvature *= c.weight;
+        visit(Touch{{c.places, {closest.s - 1, -closest.s, 1 - closest.t, closest.t}},
+                    apart / closest.distance,
+                    value});
+    }
+}
+
+double HardCoreTerm::evaluate(const Vector& x, Vector* gradient) const {
+    double energy = 0;
+    forTouches(x, [&](const Touch& touch) {
+        energy += touch.value.energy;
+        if (gradient != nullptr) {
+            touch.apart.spread(touch.value.slope * touch.direction, *gradient, m_cell);
+        }
+    });
+    return energy;
+}
+
+void HardCoreTerm::linearise(const Vector& x) {
+    m_hessian.parts().clear();
+    forTouches(x, [&](const Touch& touch) {
+        m_hessian.parts().push_back(
+            {touch.apart, touch.value.curvature * touch.direction * touch.direction.transpose()});
+    });
+}
+
+} // namespace knittsim::physics

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "core/physics/yarn_model/contact_kernel.h"
+#include "core/physics/yarn_model/near_places.h"
+#include "core/physics/yarn_model/own_stretch.h"
+#include "core/physics/yarn_model/skin.h"
+#include "core/physics/yarn_model/stencil_hessian.h"
+
+namespace knittsim::physics {
+
+/// Keeps the cores of strands apart: ContactKernel between the core diameter and kReach times that, at the
+/// closest points of two segments. It acts only where ContactTerm, which looks at nodes, has let strands come
+/// that near between their nodes, and it alone holds yarns apart that are thinner than nodes are spaced.
+/// Gauss-Newton Hessian, as if the closest points stayed where they are. The gradient jumps where segments
+/// lie side by side.
+class HardCoreTerm final : public EnergyTerm {
+public:
+    static constexpr double kReach = 1.1;
+    static constexpr double kStiffness = 100; ///< times that of the soft shell
+
+    explicit HardCoreTerm(const YarnChains& chains);
+
+    /// Share of the true diameters, in (0, 1].
+    void setThickness(double share);
+
+    double evaluate(const Vector& x, Vector* gradient) const override;
+    void linearise(const Vector& x) override;
+    void multiply(const Vector& v, Vector& y) const override { m_hessian.multiply(v, y); }
+    void addDiagonal(Eigen::Matrix3Xd& blocks) const override { m_hessian.addDiagonal(blocks); }
+    void addBlocks(BlockSink& sink) const override { m_hessian.addBlocks(sink); }
+
+private:
+    struct Segment {
+        Place begin;
+        Place end;
+        double rest = 0;
+        double exclusion = 0; ///< yarn within which it does not touch itself
+        std::size_t yarn = 0;
+    };
+    struct Candidate {
+        std::array<Place, 4> places; ///< begin and end of both segments
+        std::size_t kernel = 0;
+        double weight = 0;
+    };
+    /// Two segments that touch.
+    struct Touch {
+        Stencil<4> apart; ///< from the closest point of the first to that of the second
+        Eigen::Vector3d direction;
+        ContactKernel::Value value;
+    };
+
+    template<class Visit> void forTouches(const Vector& x, Visit visit) const;
+    void findCandidates(const Vector& x) const;
+    void addCandidate(const Vector& x, const NearPair& pair) const;
+
+    OwnStretch m_own;
+    std::vector<RodYarn> m_yarns;
+    std::vector<Segment> m_segments;
+    Entry m_cell;
+    double m_thickness = 1;
+    double m_reach = 0;                   ///< of the thickest yarn
+    std::vector<ContactKernel> m_kernels; ///< by pair of yarns
+    StencilHessian<4> m_hessian;
+
+    // A cache: candidates follow the shape that is asked about.
+    mutable Skin m_skin;
+    mutable std::vector<Candidate> m_candidates;
+};
+
+} // namespace knittsim::physics

@@ -1,0 +1,119 @@
+#include "core/physics/yarn_model/relax_cell.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace knittsim::physics {
+
+namespace {
+
+/// 1/2 k (yarn of the node) z^2.
+class FlatteningTerm final : public EnergyTerm {
+public:
+    FlatteningTerm(const YarnChains& chains, double stiffness) : m_stiffness(nodeLengths(chains)) {
+        for (double& k : m_stiffness) {
+            k *= stiffness;
+        }
+    }
+
+    double evaluate(const Vector& x, Vector* gradient) const override {
+        double energy = 0;
+        forNodes([&](Eigen::Index z, double k) {
+            energy += 0.5 * k * x[z] * x[z];
+            if (gradient != nullptr) {
+                (*gradient)[z] += k * x[z];
+            }
+        });
+        return energy;
+    }
+    void linearise(const Vector& /*x*/) override {}
+    void multiply(const Vector& v, Vector& y) const override {
+        forNodes([&](Eigen::Index z, double k) { y[z] += k * v[z]; });
+    }
+    void addDiagonal(Eigen::Matrix3Xd& blocks) const override {
+        forNodes([&](Eigen::Index z, double k) { blocks(2, z) += k; });
+    }
+    void addBlocks(BlockSink& sink) const override {
+        forNodes([&](Eigen::Index z, double k) {
+            const auto entry = static_cast<Entry>(z / 3);
+            sink.add(entry, entry, Eigen::Vector3d(0, 0, k).asDiagonal());
+        });
+    }
+
+private:
+    template<class Visit> void forNodes(Visit visit) const {
+        for (std::size_t e = 0; e < m_stiffness.size(); ++e) {
+            visit(3 * static_cast<Eigen::Index>(e) + 2, m_stiffness[e]);
+        }
+    }
+
+    std::vector<double> m_stiffness; ///< by node
+};
+
+template<class Same> int smallestPeriod(int size, Same same) {
+    for (int period = 1; period < size; ++period) {
+        if (size % period == 0 && same(period)) {
+            return period;
+        }
+    }
+    return size;
+}
+
+} // namespace
+
+CellShape relaxCell(const KnitPurl& pattern, const std::vector<double>& loopLengths, const RodYarn& yarn,
+                    const CellOptions& options) {
+    CellShape result;
+    result.chains = knitCell(pattern, loopLengths, yarn, options.start);
+    YarnModel model(result.chains);
+    if (options.flattening > 0) {
+        model.add(std::make_unique<FlatteningTerm>(result.chains, options.flattening));
+    }
+    const Vector start = result.chains.start();
+    Motion motion{start, Vector::Zero(start.size()), 0};
+    result.relax = relaxYarns(model, motion, options.relax);
+    result.shape = motion.positions;
+    result.faults = findLoopFaults(pattern, result.chains, result.shape, options.start.nodesPerLoop);
+
+    const auto size = at(result.shape, model.cellEntry());
+    result.waleSpacing = size.x() / pattern.wales;
+    result.courseSpacing = size.y() / pattern.courses;
+    result.loopLength = std::accumulate(loopLengths.begin(), loopLengths.end(), 0.0) /
+                        static_cast<double>(loopLengths.size());
+    const Eigen::Map<const Eigen::Matrix3Xd> nodes(result.shape.data(), 3, model.nodeCount());
+    result.thickness = nodes.row(2).maxCoeff() - nodes.row(2).minCoeff() + yarn.outerDiameter;
+    return result;
+}
+
+Repeat smallestRepeat(const KnitPurl& pattern, const std::vector<double>& loopLengths) {
+    const auto length = [&](int wale, int course) {
+        return loopLengths[static_cast<std::size_t>(course % pattern.courses * pattern.wales +
+                                                    wale % pattern.wales)];
+    };
+    const auto sameShifted = [&](int right, int up) {
+        for (int course = 0; course < pattern.courses; ++course) {
+            for (int wale = 0; wale < pattern.wales; ++wale) {
+                const double here = length(wale, course);
+                if (pattern.at(wale, course) != pattern.at(wale + right, course + up) ||
+                    std::abs(here - length(wale + right, course + up)) > 1e-9 * here) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    };
+    Repeat repeat;
+    repeat.pattern = {smallestPeriod(pattern.wales, [&](int p) { return sameShifted(p, 0); }),
+                      smallestPeriod(pattern.courses, [&](int p) { return sameShifted(0, p); }),
+                      {}};
+    for (int course = 0; course < repeat.pattern.courses; ++course) {
+        for (int wale = 0; wale < repeat.pattern.wales; ++wale) {
+            repeat.pattern.faces.push_back(pattern.at(wale, course));
+            repeat.loopLengths.push_back(length(wale, course));
+        }
+    }
+    return repeat;
+}
+
+} // namespace knittsim::physics

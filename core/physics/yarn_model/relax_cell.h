@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/physics/yarn_model/knit_cell.h"
+#include "core/physics/yarn_model/loop_certificate.h"
+#include "core/physics/yarn_model/relax_yarns.h"
+
+#include <span>
+#include <vector>
+
+namespace knittsim::physics {
+
+struct CellOptions {
+    KnitCellStart start;
+    YarnRelaxOptions relax;
+    /// Pull to the middle plane, by length of yarn and distance, EI/d^4: a fabric that lies flat. 0:
+    /// floating.
+    double flattening = 0;
+};
+
+/// A repeat at rest, in d.
+struct CellShape {
+    double waleSpacing = 0;
+    double courseSpacing = 0;
+    double loopLength = 0; ///< mean, of yarn at rest
+    double thickness = 0;  ///< from the outside of the lowest to that of the highest yarn
+    YarnRelaxReport relax;
+    std::vector<LoopFault> faults; ///< stitches whose certificate does not hold
+    YarnChains chains;
+    Vector shape;
+};
+
+/// Settles one repeat with its width and height as unknowns. `loopLengths` by stitch, d.
+CellShape relaxCell(const KnitPurl& pattern, const std::vector<double>& loopLengths, const RodYarn& yarn,
+                    const CellOptions& options = {});
+
+/// The smallest repeat that the pattern and its loop lengths consist of, as a pattern and lengths of its own.
+struct Repeat {
+    KnitPurl pattern;
+    std::vector<double> loopLengths;
+};
+Repeat smallestRepeat(const KnitPurl& pattern, const std::vector<double>& loopLengths);
+
+} // namespace knittsim::physics

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace knittsim::physics {
+
+/// Closest points of two segments: p0 + s (p1 - p0) and q0 + t (q1 - q0), s and t in [0, 1].
+struct ClosestPoints {
+    double s = 0;
+    double t = 0;
+    double distance = 0;
+};
+
+/// Works for points and parallel segments too (one of many closest pairs then).
+ClosestPoints closestPoints(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1, const Eigen::Vector3d& q0,
+                            const Eigen::Vector3d& q1);
+
+} // namespace knittsim::physics

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "core/physics/yarn_model/chains.h"
+
+#include <array>
+#include <vector>
+
+namespace knittsim::physics {
+
+/// A weighted difference of places: J x = sum of weight_k x(place_k). The weights sum to 0.
+template<std::size_t Count> struct Stencil {
+    std::array<Place, Count> places;
+    std::array<double, Count> weights;
+
+    Eigen::Vector3d of(const Vector& x, Entry cell) const {
+        Eigen::Vector3d result = Eigen::Vector3d::Zero();
+        for (std::size_t k = 0; k < Count; ++k) {
+            result += weights[k] * position(x, cell, places[k]);
+        }
+        return result;
+    }
+
+    /// y += J^T value
+    void spread(const Eigen::Vector3d& value, Vector& y, Entry cell) const {
+        for (std::size_t k = 0; k < Count; ++k) {
+            addAt(y, cell, places[k], weights[k] * value);
+        }
+    }
+
+    /// Its part that moves with the cell: J x = ... + reach * x(cell), by coordinate.
+    Eigen::Vector3d reach() const {
+        Eigen::Vector3d result = Eigen::Vector3d::Zero();
+        for (std::size_t k = 0; k < Count; ++k) {
+            result.x() += weights[k] * places[k].across;
+            result.y() += weights[k] * places[k].up;
+        }
+        return result;
+    }
+};
+
+/// Sum of J^T S J over stencils J with symmetric 3x3 matrices S: the Hessian of an energy of differences.
+template<std::size_t Count> class StencilHessian {
+public:
+    struct Part {
+        Stencil<Count> stencil;
+        Matrix3 stiffness;
+    };
+
+    explicit StencilHessian(Entry cell) : m_cell(cell) {}
+
+    Entry cell() const { return m_cell; }
+    std::vector<Part>& parts() { return m_parts; }
+
+    void multiply(const Vector& v, Vector& y) const {
+        for (const Part& part : m_parts) {
+            part.stencil.spread(part.stiffness * part.stencil.of(v, m_cell), y, m_cell);
+        }
+    }
+
+    void addDiagonal(Eigen::Matrix3Xd& blocks) const {
+        const auto block = [&](Entry e) { return blocks.middleCols<3>(Eigen::Index{3} * e); };
+        forBlocks([&](Entry row, Entry column, const Matrix3& value) {
+            if (row == column) {
+                block(row) += value;
+            }
+        });
+    }
+
+    void addBlocks(BlockSink& sink) const {
+        forBlocks([&](Entry row, Entry column, const Matrix3& value) { sink.add(row, column, value); });
+    }
+
+private:
+    template<class Visit> void forBlocks(Visit visit) const {
+        for (const Part& part : m_parts) {
+            const Stencil<Count>& s = part.stencil;
+            for (std::size_t k = 0; k < Count; ++k) {
+                for (std::size_t l = 0; l < Count; ++l) {
+                    visit(s.places[k].node, s.places[l].node,
+                          Matrix3(s.weights[k] * s.weights[l] * part.stiffness));
+                }
+            }
+            const Eigen::Vector3d reach = s.reach();
+            if (reach.isZero(0)) {
+                continue;
+            }
+            for (std::size_t k = 0; k < Count; ++k) {
+                const Matrix3 block = s.weights[k] * part.stiffness * reach.asDiagonal();
+                visit(s.places[k].node, m_cell, block);
+                visit(m_cell, s.places[k].node, Matrix3(block.transpose()));
+            }
+            visit(m_cell, m_cell, Matrix3(reach.asDiagonal() * part.stiffness * reach.asDiagonal()));
+        }
+    }
+
+    Entry m_cell;
+    std::vector<Part> m_parts;
+};
+
+} // namespace knittsim::physics

@@ -1,0 +1,142 @@
+#include "core/fabric/fabric_builder.h"
+#include "core/pattern/swatch.h"
+#include "core/physics/yarn_model/fabric_repeat.h"
+#include "core/physics/yarn_model/yarn_units.h"
+#include "core/yarn/yarn_library.h"
+
+#include <benchmark/benchmark.h>
+
+#include <ctime>
+#include <string>
+
+/// Repeats of knit and purl settled as periodic cells of the yarn model: work in evaluations of forces and in
+/// times of one such evaluation, and spacings relative to plain knit in the same run.
+namespace {
+
+using namespace knittsim;
+using physics::CellShape;
+using physics::KnitPurl;
+using physics::RodYarn;
+
+double cpuSeconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// The acrylic of PHYSICS-REFERENCE 2.4.
+RodYarn acrylic() {
+    RodYarn yarn;
+    yarn.coreDiameter = 0.44;
+    yarn.contactStiffness = physics::kContactStiffness;
+    return yarn;
+}
+
+CellShape settle(const KnitPurl& pattern, double loopLength, const RodYarn& yarn, const char* integrator) {
+    physics::CellOptions options;
+    options.relax.integrator = integrator;
+    return relaxCell(pattern, std::vector<double>(pattern.faces.size(), loopLength), yarn, options);
+}
+
+/// CPU seconds of one evaluation of energy and forces at a cell's shape of rest.
+double forceSeconds(const CellShape& cell) {
+    const physics::YarnModel model(cell.chains);
+    physics::Vector gradient;
+    constexpr int kRepeats = 50;
+    const double begin = cpuSeconds();
+    for (int i = 0; i < kRepeats; ++i) {
+        benchmark::DoNotOptimize(model.evaluate(cell.shape, &gradient));
+    }
+    return (cpuSeconds() - begin) / kRepeats;
+}
+
+void report(benchmark::State& state, const CellShape& cell, double seconds) {
+    state.counters["cpu_s"] = seconds;
+    state.counters["in_forces"] = seconds / forceSeconds(cell);
+    state.counters["evaluations"] = cell.relax.evaluations;
+    state.counters["verdict"] = static_cast<double>(cell.relax.verdict);
+    state.counters["residual"] = cell.relax.residual;
+    state.counters["overlaps"] = cell.relax.audit.coreOverlaps;
+    state.counters["faults"] = static_cast<double>(cell.faults.size());
+    state.counters["kw"] = cell.loopLength / cell.waleSpacing;
+    state.counters["kc"] = cell.loopLength / cell.courseSpacing;
+}
+
+void settlePlain(benchmark::State& state, const char* integrator) {
+    const auto side = static_cast<int>(state.range(0));
+    const KnitPurl pattern{side, side, std::vector<int>(static_cast<std::size_t>(side * side), 1)};
+    for (auto _ : state) {
+        const double begin = cpuSeconds();
+        const CellShape cell = settle(pattern, 8, acrylic(), integrator);
+        const double seconds = cpuSeconds() - begin;
+        report(state, cell, seconds);
+    }
+}
+
+struct Swatch {
+    const char* name;
+    machine::Program program;
+};
+
+/// The measured swatches of PHYSICS 3: one yarn, one stitch size, as our machine feeds them. `extra`: with
+/// the yarn from bed to bed.
+void settleSwatch(benchmark::State& state, const Swatch& swatch, bool extra) {
+    const auto library = yarn::YarnLibrary::read(KNITTSIM_SOURCE_DIR "/resources/yarns");
+    const yarn::Yarn* yarn = library ? library.value().find("acrylic-hb-2-28") : nullptr;
+    if (yarn == nullptr) {
+        state.SkipWithError("no yarn");
+        return;
+    }
+    machine::MachineProfile profile = machine::genericProfile();
+    profile.defaultLoopLengthMm = 6.8; // 60 wales in 99 mm and kw = 4.1
+    const auto cellOf = [&](const machine::Program& program, bool withGap) {
+        const machine::Timeline timeline(program, profile);
+        const auto found = physics::findFabricRepeat(fabric::buildFabric(timeline));
+        const physics::YarnUnits units = physics::unitsOf(*yarn);
+        std::vector<double> lengths = found->repeat.loopLengths;
+        for (double& l : lengths) {
+            l = (withGap ? l : profile.defaultLoopLengthMm) / units.lengthMm;
+        }
+        return relaxCell(found->repeat.pattern, lengths, physics::toRod(*yarn, units));
+    };
+    const CellShape plain = cellOf(pattern::makePlain(14, 12), extra);
+    for (auto _ : state) {
+        const double begin = cpuSeconds();
+        const CellShape cell = cellOf(swatch.program, extra);
+        const double seconds = cpuSeconds() - begin;
+        report(state, cell, seconds);
+        state.counters["width"] = cell.waleSpacing / plain.waleSpacing;
+        state.counters["height"] = cell.courseSpacing / plain.courseSpacing;
+        state.counters["wale_mm"] = cell.waleSpacing * yarn->outerDiameterMm;
+        state.counters["course_mm"] = cell.courseSpacing * yarn->outerDiameterMm;
+        state.counters["loop_mm"] = cell.loopLength * yarn->outerDiameterMm;
+    }
+}
+
+const bool kRegistered = [] {
+    for (const char* id : {"newton-cg", "fire", "l-bfgs"}) {
+        for (const int side : {1, 4, 8}) {
+            // L-BFGS loses the symmetry of large cells and then needs some twenty seconds.
+            if (side < 8 || std::string(id) != "l-bfgs") {
+                benchmark::RegisterBenchmark(("plain_cell/" + std::string(id)).c_str(), settlePlain, id)
+                    ->Arg(side)
+                    ->Iterations(1)
+                    ->Unit(benchmark::kMillisecond);
+            }
+        }
+    }
+    const std::vector<Swatch> swatches{
+        {"plain", pattern::makePlain(14, 12)}, {"garter", pattern::makeGarter(14, 12)},
+        {"rib", pattern::makeRib(14, 12)},     {"rib2", pattern::makeRib(14, 12, 2, 2)},
+        {"seed", pattern::makeSeed(14, 12)},   {"moss", pattern::makeMoss(14, 12)},
+    };
+    for (const bool extra : {false, true}) {
+        for (const Swatch& swatch : swatches) {
+            const std::string name = std::string(extra ? "fed/" : "same_length/") + swatch.name;
+            benchmark::RegisterBenchmark(name.c_str(), settleSwatch, swatch, extra)
+                ->Iterations(1)
+                ->Unit(benchmark::kMillisecond);
+        }
+    }
+    return true;
+}();
+
+} // namespace
