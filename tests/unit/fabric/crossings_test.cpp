@@ -131,7 +131,7 @@ TEST(Crossings, TheFrontRailLiesInFrontAtAnIntarsiaJoin) {
         return emulator.loops().loops[static_cast<std::size_t>(tracker.loopAfterFloat(strand.index))].carrier;
     };
     int floatsThatCross = 0;
-    for (const Passing& passing : tracker.passings()) {
+    for (const Passing& passing : tracker.book().passings()) {
         if (passing.over.kind == Strand::Kind::Float && passing.under.kind == Strand::Kind::Float) {
             EXPECT_EQ(carrierOf(passing.over), 0);
             EXPECT_EQ(carrierOf(passing.under), 2);
