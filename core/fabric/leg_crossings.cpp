@@ -1,5 +1,6 @@
 #include "core/fabric/leg_crossings.h"
 
+#include <algorithm>
 #include <array>
 
 namespace knittsim::fabric {
@@ -69,13 +70,28 @@ void LegCrossings::add(const Passing& passing) {
     }
 }
 
+/// Passings of one moment have no order of their own; they get that in which they were made.
+void LegCrossings::sortMoments(std::vector<std::int32_t>& on) const {
+    const auto momentOf = [&](std::int32_t p) {
+        return p == PassingBook::kBar ? PassingBook::kBar
+                                      : m_tracker.book().passings()[static_cast<std::size_t>(p)].moment;
+    };
+    for (auto first = on.begin(); first != on.end();) {
+        const auto last =
+            std::find_if(first, on.end(), [&](auto p) { return momentOf(p) != momentOf(*first); });
+        std::sort(first, last);
+        first = last;
+    }
+}
+
 /// Enters the crossings on the pieces of a strand in their order along it.
 void LegCrossings::list(Strand strand) {
     const LoopIndex loop = loopOf(strand);
-    const auto& on = m_tracker.book().on(strand);
+    std::vector<std::int32_t> on = m_tracker.book().on(strand);
     if (loop < 0 || on.empty()) {
         return;
     }
+    sortMoments(on);
     for (const Piece piece : fromLeft(strand.kind)) {
         auto slot = m_onPiece.begin() + m_first[static_cast<std::size_t>(number(loop, piece))];
         for (const std::int32_t p : on) {

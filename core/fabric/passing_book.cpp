@@ -49,7 +49,46 @@ void PassingBook::pass(std::span<const Pair> pairs, int sign, OperationIndex ope
                               .moment = moment});
         list(pair.over).push_back(number);
         list(pair.under).push_back(number);
+        settle(number);
     }
+}
+
+/// Slides a new passing down below as many strands as possible that run past both of its strands, so that
+/// diagrams that differ by third moves look the same.
+void PassingBook::settle(std::int32_t number) {
+    Passing before = at(number);
+    before.sign = static_cast<std::int8_t>(-before.sign); // how the two lie below the new passing
+    const List& onOver = on(before.over);
+    const List& onUnder = on(before.under);
+    const std::size_t reach = std::min({onOver.size(), onUnder.size(), kReach + 1}) - 1;
+    std::size_t deepest = 0;
+    std::optional<Strand> slider;
+    for (std::size_t count = 1; count <= reach; ++count) {
+        const std::int32_t over = onOver[onOver.size() - 1 - count];
+        const std::int32_t under = onUnder[onUnder.size() - 1 - count];
+        if (over == kBar || under == kBar) {
+            break;
+        }
+        m_gapOver.assign(onOver.end() - 1 - static_cast<std::ptrdiff_t>(count), onOver.end() - 1);
+        m_gapUnder.assign(onUnder.end() - 1 - static_cast<std::ptrdiff_t>(count), onUnder.end() - 1);
+        if (const auto found = findSlider(before)) {
+            slider = found;
+            deepest = count;
+        }
+    }
+    if (!slider) {
+        return;
+    }
+    const auto depth = static_cast<std::ptrdiff_t>(deepest);
+    for (const Strand strand : {before.over, before.under}) {
+        List& gap = strand == before.over ? m_gapOver : m_gapUnder;
+        List& passings = list(strand);
+        gap.assign(passings.end() - 1 - depth, passings.end() - 1);
+        passings.resize(passings.size() - 1 - deepest);
+        passings.push_back(number);
+        passings.insert(passings.end(), gap.begin(), gap.end());
+    }
+    slide(*slider, before.other(*slider));
 }
 
 /// One pair may lie in the way of another, so it goes on until nothing changes.
@@ -73,20 +112,18 @@ bool PassingBook::tryUndo(Pair pair, int sign) {
         !collectGap(last.under, number, m_gapUnder) || m_gapOver.size() != m_gapUnder.size()) {
         return false;
     }
-    if (const std::size_t count = m_gapOver.size(); count > 0) {
-        const std::optional<Strand> slider = findSlider(last);
-        if (!slider) {
-            return false;
-        }
-        moveBehindMates(last.over, number);
-        moveBehindMates(last.under, number);
-        slide(*slider, last.other(*slider), count);
-    } else {
-        moveBehindMates(last.over, number);
-        moveBehindMates(last.under, number);
+    const std::optional<Strand> slider = findSlider(last);
+    if (!slider && !m_gapOver.empty()) {
+        return false;
     }
-    list(last.over).pop_back();
-    list(last.under).pop_back();
+    for (const Strand strand : {last.over, last.under}) {
+        moveBehindMates(strand, number);
+        List& passings = list(strand);
+        passings.erase(passings.end() - 1 - static_cast<std::ptrdiff_t>(m_gapOver.size()));
+    }
+    if (slider) {
+        slide(*slider, last.other(*slider));
+    }
     m_passings[static_cast<std::size_t>(number)].undone = true;
     return true;
 }
@@ -134,8 +171,11 @@ void PassingBook::moveBehindMates(Strand strand, std::int32_t number) {
     std::rotate(place, place + 1, end);
 }
 
-/// One of the two strands of `passing` that can be slid across all that lies in the gap between them.
-std::optional<Strand> PassingBook::findSlider(const Passing& passing) {
+/// One of the two strands of `passing` that can be slid across all that lies in the gap above it.
+std::optional<Strand> PassingBook::findSlider(const Passing& passing) const {
+    if (m_gapOver.empty()) {
+        return std::nullopt;
+    }
     for (const std::int32_t number : m_gapOver) {
         if (!runsThrough(passing, at(number).other(passing.over))) {
             return std::nullopt;
@@ -181,33 +221,40 @@ bool PassingBook::canSlide(Strand slider, const List& gap) const {
     return std::ranges::all_of(gap, [&](std::int32_t n) { return (at(n).over == slider) == inFront; });
 }
 
-/// Moves the last passings of `slider` from one side of the gap to the other, where `fixed` lies.
-void PassingBook::slide(Strand slider, Strand fixed, std::size_t strandsInGap) {
+/// Puts `moved` right behind `other` if it came before, right before it if it came behind. Passings of the
+/// same moment as either of them do not lie between the two.
+void PassingBook::swapOrder(List& passings, std::int32_t moved, std::int32_t other) const {
+    const auto near = passings.end() - static_cast<std::ptrdiff_t>(std::min(passings.size(), kReach + 1));
+    const auto areMates = [&](std::int32_t a, std::int32_t b) {
+        return a != kBar && b != kBar && at(a).moment == at(b).moment;
+    };
+    auto first = std::find_if(near, passings.end(), [&](auto n) { return n == moved || n == other; });
+    auto second = std::find_if(first + 1, passings.end(), [&](auto n) { return n == moved || n == other; });
+    for (; first + 1 != second && areMates(first[0], first[1]); ++first) {
+        std::iter_swap(first, first + 1);
+    }
+    for (; second - 1 != first && areMates(second[0], second[-1]); --second) {
+        std::iter_swap(second, second - 1);
+    }
+    if (*first == moved) {
+        std::rotate(first, first + 1, second + 1);
+    } else {
+        std::rotate(first, second, second + 1);
+    }
+}
+
+/// The last passings of `slider` are those in the gap. Moves them to the other side of `fixed`.
+void PassingBook::slide(Strand slider, Strand fixed) {
     List& onSlider = list(slider);
-    const auto firstOnSlider = onSlider.end() - static_cast<std::ptrdiff_t>(strandsInGap);
-    auto next = firstOnSlider;
-    for (const std::int32_t pastFixed : lastOf(on(fixed), strandsInGap)) {
+    auto next = onSlider.end() - static_cast<std::ptrdiff_t>(m_gapOver.size());
+    for (const std::int32_t pastFixed : lastOf(on(fixed), m_gapOver.size())) {
         const Strand strand = at(pastFixed).other(fixed);
         const auto found =
             std::find_if(next, onSlider.end(), [&](auto n) { return at(n).other(slider) == strand; });
         std::iter_swap(next, found);
-        List& passings = list(strand);
-        const auto near =
-            passings.end() - static_cast<std::ptrdiff_t>(std::min(passings.size(), kReach + 1));
-        const auto a = std::find(near, passings.end(), *next);
-        const auto b = std::find(near, passings.end(), pastFixed);
-        if (a < b) {
-            std::rotate(a, a + 1, b + 1);
-        } else {
-            std::rotate(b, a, a + 1);
-        }
+        swapOrder(list(strand), *next, pastFixed);
         ++next;
     }
-    // The passing that ends the gap goes behind those that were in the gap, so that it can be taken off.
-    std::rotate(firstOnSlider - 1, firstOnSlider, onSlider.end());
-    List& onFixed = list(fixed);
-    const auto firstOnFixed = onFixed.end() - static_cast<std::ptrdiff_t>(strandsInGap);
-    std::rotate(firstOnFixed - 1, firstOnFixed, onFixed.end());
 }
 
 } // namespace knittsim::fabric

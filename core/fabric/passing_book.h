@@ -47,7 +47,8 @@ public:
 
     const std::vector<Passing>& passings() const { return m_passings; }
 
-    /// Indices of the passings on a strand that are not undone, and kBar.
+    /// Indices of the passings on a strand that are not undone, and kBar. Those of the same moment that follow
+    /// each other are in no particular order.
     const std::vector<std::int32_t>& on(Strand strand) const {
         const auto i = static_cast<std::size_t>(strand.index);
         return strand.kind == Strand::Kind::Loop ? m_onLoop[i] : m_onFloat[i];
@@ -61,12 +62,14 @@ private:
     List& list(Strand strand);
     bool tryUndo(Pair pair, int sign);
     std::int32_t findLast(Pair pair) const;
+    void settle(std::int32_t number);
     bool collectGap(Strand strand, std::int32_t number, List& gap) const;
-    std::optional<Strand> findSlider(const Passing& passing);
+    std::optional<Strand> findSlider(const Passing& passing) const;
     bool runsThrough(const Passing& passing, Strand strand) const;
     bool canSlide(Strand slider, const List& gap) const;
     void moveBehindMates(Strand strand, std::int32_t number);
-    void slide(Strand slider, Strand fixed, std::size_t strandsInGap);
+    void slide(Strand slider, Strand fixed);
+    void swapOrder(List& passings, std::int32_t moved, std::int32_t other) const;
 
     const Passing& at(std::int32_t number) const { return m_passings[static_cast<std::size_t>(number)]; }
 
