@@ -15,7 +15,8 @@ enum class ClaspLevel : std::uint8_t { Lower, Upper };
 ///  - a loop made on the front bed lies behind the heads it is drawn through at the lower crossing and in
 ///    front of them at the upper one; on the rear bed the other way round;
 ///  - heads lie in the order of their needle's stack, the first one nearest to its bed;
-///  - of several yarns of one operation the leading one lies on the technical face of the loop, at both levels
+///  - of several yarns of one operation the leading one lies on the technical face of the loop, at both
+///  levels
 ///    and on every needle, so that plated yarns never cross;
 ///  - feet of several operations on one side of the heads (after a split) lie in the order of time, the
 ///    earliest one farthest back.

@@ -107,8 +107,8 @@ struct Fabric {
 
     std::size_t pointCount() const { return points.size(); }
 
-    /// Loops drawn through a loop, from its feet upwards: one for each yarn of the operation that bound it. Two
-    /// operations bind a loop when the first one is a split: then it goes on to another needle.
+    /// Loops drawn through a loop, from its feet upwards: one for each yarn of the operation that bound it.
+    /// Two operations bind a loop when the first one is a split: then it goes on to another needle.
     std::span<const LoopIndex> drawnThrough(LoopIndex loop) const {
         const auto first = static_cast<std::size_t>(firstThrough[static_cast<std::size_t>(loop)]);
         const auto last = static_cast<std::size_t>(firstThrough[static_cast<std::size_t>(loop) + 1]);

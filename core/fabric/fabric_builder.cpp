@@ -100,6 +100,7 @@ Fabric buildFabric(const machine::Timeline& timeline, OperationIndex count) {
     while (emulator.state().nextOperation < wanted) {
         emulator.step(&tracker);
     }
+    tracker.finish();
 
     Fabric fabric;
     fabric.pitchMm = timeline.profile().pitchMm();

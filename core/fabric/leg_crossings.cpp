@@ -1,7 +1,7 @@
 #include "core/fabric/leg_crossings.h"
 
-#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace knittsim::fabric {
 
@@ -70,17 +70,15 @@ void LegCrossings::add(const Passing& passing) {
     }
 }
 
-/// Passings of one moment have no order of their own; they get that in which they were made.
-void LegCrossings::sortMoments(std::vector<std::int32_t>& on) const {
-    const auto momentOf = [&](std::int32_t p) {
-        return p == PassingBook::kBar ? PassingBook::kBar
-                                      : m_tracker.book().passings()[static_cast<std::size_t>(p)].moment;
-    };
-    for (auto first = on.begin(); first != on.end();) {
-        const auto last =
-            std::find_if(first, on.end(), [&](auto p) { return momentOf(p) != momentOf(*first); });
-        std::sort(first, last);
-        first = last;
+/// Passings that have no order get that in which they were made.
+void LegCrossings::sortUnordered(Strand strand, std::vector<std::int32_t>& on) const {
+    for (std::size_t i = 1; i < on.size(); ++i) {
+        for (std::size_t k = i; k > 0 && on[k] < on[k - 1]; --k) {
+            if (!m_tracker.book().areUnordered(strand, on[k - 1], on[k])) {
+                break;
+            }
+            std::swap(on[k], on[k - 1]);
+        }
     }
 }
 
@@ -91,7 +89,7 @@ void LegCrossings::list(Strand strand) {
     if (loop < 0 || on.empty()) {
         return;
     }
-    sortMoments(on);
+    sortUnordered(strand, on);
     for (const Piece piece : fromLeft(strand.kind)) {
         auto slot = m_onPiece.begin() + m_first[static_cast<std::size_t>(number(loop, piece))];
         for (const std::int32_t p : on) {
@@ -99,8 +97,7 @@ void LegCrossings::list(Strand strand) {
                 continue;
             }
             const Passing& passing = m_tracker.book().passings()[static_cast<std::size_t>(p)];
-            const std::size_t all =
-                fromLeft(passing.over.kind).size() * fromLeft(passing.under.kind).size();
+            const std::size_t all = fromLeft(passing.over.kind).size() * fromLeft(passing.under.kind).size();
             for (std::size_t c = 0; c < all; ++c) {
                 const auto crossing =
                     m_firstOfPassing[static_cast<std::size_t>(p)] + static_cast<std::int32_t>(c);

@@ -38,7 +38,7 @@ private:
     LoopIndex loopOf(Strand strand) const;
     void add(const Passing& passing);
     void list(Strand strand);
-    void sortMoments(std::vector<std::int32_t>& on) const;
+    void sortUnordered(Strand strand, std::vector<std::int32_t>& on) const;
 
     const StrandTracker& m_tracker;
     std::vector<Crossing> m_crossings;

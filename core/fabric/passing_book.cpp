@@ -38,77 +38,37 @@ PassingBook::List& PassingBook::list(Strand strand) {
     return strand.kind == Strand::Kind::Loop ? m_onLoop[i] : m_onFloat[i];
 }
 
-void PassingBook::pass(std::span<const Pair> pairs, int sign, OperationIndex operation,
-                       std::int32_t moment) {
-    for (const Pair& pair : undo(pairs, sign)) {
+void PassingBook::pass(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment) {
+    for (const Pair& pair : undo(pairs)) {
         const auto number = static_cast<std::int32_t>(m_passings.size());
         m_passings.push_back({.over = pair.over,
                               .under = pair.under,
                               .operation = operation,
-                              .sign = static_cast<std::int8_t>(sign),
+                              .sign = static_cast<std::int8_t>(pair.sign),
                               .moment = moment});
         list(pair.over).push_back(number);
         list(pair.under).push_back(number);
-        settle(number);
     }
-}
-
-/// Slides a new passing down below as many strands as possible that run past both of its strands, so that
-/// diagrams that differ by third moves look the same.
-void PassingBook::settle(std::int32_t number) {
-    Passing before = at(number);
-    before.sign = static_cast<std::int8_t>(-before.sign); // how the two lie below the new passing
-    const List& onOver = on(before.over);
-    const List& onUnder = on(before.under);
-    const std::size_t reach = std::min({onOver.size(), onUnder.size(), kReach + 1}) - 1;
-    std::size_t deepest = 0;
-    std::optional<Strand> slider;
-    for (std::size_t count = 1; count <= reach; ++count) {
-        const std::int32_t over = onOver[onOver.size() - 1 - count];
-        const std::int32_t under = onUnder[onUnder.size() - 1 - count];
-        if (over == kBar || under == kBar) {
-            break;
-        }
-        m_gapOver.assign(onOver.end() - 1 - static_cast<std::ptrdiff_t>(count), onOver.end() - 1);
-        m_gapUnder.assign(onUnder.end() - 1 - static_cast<std::ptrdiff_t>(count), onUnder.end() - 1);
-        if (const auto found = findSlider(before)) {
-            slider = found;
-            deepest = count;
-        }
-    }
-    if (!slider) {
-        return;
-    }
-    const auto depth = static_cast<std::ptrdiff_t>(deepest);
-    for (const Strand strand : {before.over, before.under}) {
-        List& gap = strand == before.over ? m_gapOver : m_gapUnder;
-        List& passings = list(strand);
-        gap.assign(passings.end() - 1 - depth, passings.end() - 1);
-        passings.resize(passings.size() - 1 - deepest);
-        passings.push_back(number);
-        passings.insert(passings.end(), gap.begin(), gap.end());
-    }
-    slide(*slider, before.other(*slider));
 }
 
 /// One pair may lie in the way of another, so it goes on until nothing changes.
-std::span<const PassingBook::Pair> PassingBook::undo(std::span<const Pair> pairs, int sign) {
+std::span<const PassingBook::Pair> PassingBook::undo(std::span<const Pair> pairs) {
     m_pending.assign(pairs.begin(), pairs.end());
     std::size_t before = m_pending.size() + 1;
     while (m_pending.size() < before) {
         before = m_pending.size();
-        std::erase_if(m_pending, [&](Pair pair) { return tryUndo(pair, sign); });
+        std::erase_if(m_pending, [&](const Pair& pair) { return tryUndo(pair); });
     }
     return m_pending;
 }
 
-bool PassingBook::tryUndo(Pair pair, int sign) {
-    const std::int32_t number = findLast(pair);
+bool PassingBook::tryUndo(const Pair& pair) {
+    const std::int32_t number = findLast(pair.over, pair.under);
     if (number < 0) {
         return false;
     }
     const Passing last = at(number);
-    if (!(last.over == pair.over) || last.sign != -sign || !collectGap(last.over, number, m_gapOver) ||
+    if (!(last.over == pair.over) || last.sign != -pair.sign || !collectGap(last.over, number, m_gapOver) ||
         !collectGap(last.under, number, m_gapUnder) || m_gapOver.size() != m_gapUnder.size()) {
         return false;
     }
@@ -129,10 +89,10 @@ bool PassingBook::tryUndo(Pair pair, int sign) {
 }
 
 /// The latest passing of the two strands, or -1.
-std::int32_t PassingBook::findLast(Pair pair) const {
-    const bool onOver = on(pair.over).size() <= on(pair.under).size();
-    const Strand shorter = onOver ? pair.over : pair.under;
-    const Strand longer = onOver ? pair.under : pair.over;
+std::int32_t PassingBook::findLast(Strand a, Strand b) const {
+    const bool aIsShorter = on(a).size() <= on(b).size();
+    const Strand shorter = aIsShorter ? a : b;
+    const Strand longer = aIsShorter ? b : a;
     const List& passings = on(shorter);
     const std::size_t reach = std::min(passings.size(), kReach + 1);
     for (const std::int32_t number : lastOf(passings, reach) | std::views::reverse) {
@@ -155,8 +115,8 @@ bool PassingBook::collectGap(Strand strand, std::int32_t number, List& gap) cons
         return false;
     }
     const auto rest = lastOf(passings, *after);
-    const auto begin = std::ranges::find_if_not(
-        rest, [&](std::int32_t n) { return n != kBar && at(n).moment == at(number).moment; });
+    const auto begin =
+        std::ranges::find_if_not(rest, [&](std::int32_t n) { return areUnordered(strand, number, n); });
     gap.assign(begin, rest.end());
     return std::ranges::find(gap, kBar) == gap.end();
 }
@@ -165,9 +125,8 @@ bool PassingBook::collectGap(Strand strand, std::int32_t number, List& gap) cons
 void PassingBook::moveBehindMates(Strand strand, std::int32_t number) {
     List& passings = list(strand);
     const auto place = passings.end() - 1 - static_cast<std::ptrdiff_t>(*countAfter(passings, number));
-    const auto end = std::find_if_not(place + 1, passings.end(), [&](std::int32_t n) {
-        return n != kBar && at(n).moment == at(number).moment;
-    });
+    const auto end = std::find_if_not(place + 1, passings.end(),
+                                      [&](std::int32_t n) { return areUnordered(strand, number, n); });
     std::rotate(place, place + 1, end);
 }
 
@@ -200,10 +159,9 @@ std::optional<Strand> PassingBook::findSlider(const Passing& passing) const {
 
 /// `strand` comes into the gap past one of the two and leaves it past the other one.
 bool PassingBook::runsThrough(const Passing& passing, Strand strand) const {
-    const std::int32_t past = findLast({passing.over, strand});
-    const std::int32_t pastUnder = findLast({passing.under, strand});
-    if (past < 0 || pastUnder < 0 ||
-        directionOf(strand, at(past)) != directionOf(strand, at(pastUnder))) {
+    const std::int32_t past = findLast(passing.over, strand);
+    const std::int32_t pastUnder = findLast(passing.under, strand);
+    if (past < 0 || pastUnder < 0 || directionOf(strand, at(past)) != directionOf(strand, at(pastUnder))) {
         return false;
     }
     if (at(past).over == strand && at(pastUnder).under == strand) {
@@ -221,19 +179,22 @@ bool PassingBook::canSlide(Strand slider, const List& gap) const {
     return std::ranges::all_of(gap, [&](std::int32_t n) { return (at(n).over == slider) == inFront; });
 }
 
-/// Puts `moved` right behind `other` if it came before, right before it if it came behind. Passings of the
-/// same moment as either of them do not lie between the two.
-void PassingBook::swapOrder(List& passings, std::int32_t moved, std::int32_t other) const {
+bool PassingBook::areUnordered(Strand strand, std::int32_t a, std::int32_t b) const {
+    return a != kBar && b != kBar && at(a).moment == at(b).moment &&
+           findLast(at(a).other(strand), at(b).other(strand)) < 0;
+}
+
+/// Puts `moved` right behind `other` if it came before, right before it if it came behind. Passings without
+/// an order do not lie between the two.
+void PassingBook::swapOrder(Strand strand, std::int32_t moved, std::int32_t other) {
+    List& passings = list(strand);
     const auto near = passings.end() - static_cast<std::ptrdiff_t>(std::min(passings.size(), kReach + 1));
-    const auto areMates = [&](std::int32_t a, std::int32_t b) {
-        return a != kBar && b != kBar && at(a).moment == at(b).moment;
-    };
     auto first = std::find_if(near, passings.end(), [&](auto n) { return n == moved || n == other; });
     auto second = std::find_if(first + 1, passings.end(), [&](auto n) { return n == moved || n == other; });
-    for (; first + 1 != second && areMates(first[0], first[1]); ++first) {
+    for (; first + 1 != second && areUnordered(strand, first[0], first[1]); ++first) {
         std::iter_swap(first, first + 1);
     }
-    for (; second - 1 != first && areMates(second[0], second[-1]); --second) {
+    for (; second - 1 != first && areUnordered(strand, second[0], second[-1]); --second) {
         std::iter_swap(second, second - 1);
     }
     if (*first == moved) {
@@ -252,7 +213,7 @@ void PassingBook::slide(Strand slider, Strand fixed) {
         const auto found =
             std::find_if(next, onSlider.end(), [&](auto n) { return at(n).other(slider) == strand; });
         std::iter_swap(next, found);
-        swapOrder(list(strand), *next, pastFixed);
+        swapOrder(strand, *next, pastFixed);
         ++next;
     }
 }

@@ -33,22 +33,26 @@ public:
     /// Nothing slides past here: a loop was drawn through this one, which goes on to another needle.
     void bar(LoopIndex loop) { m_onLoop[static_cast<std::size_t>(loop)].push_back(kBar); }
 
+    /// Two strands that pass each other; `sign` as in Passing.
     struct Pair {
         Strand over;
         Strand under;
+        int sign = 1;
     };
 
     /// These pairs pass each other at one moment: those that passed before the other way undo that, the others
     /// make new passings. `moment` as in Passing.
-    void pass(std::span<const Pair> pairs, int sign, OperationIndex operation, std::int32_t moment);
+    void pass(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment);
 
     /// Undoes earlier passings only. Returns the pairs that found none; valid until the next call.
-    std::span<const Pair> undo(std::span<const Pair> pairs, int sign);
+    std::span<const Pair> undo(std::span<const Pair> pairs);
+
+    /// The two have passed each other lately, and that is not undone.
+    bool havePassed(Strand a, Strand b) const { return findLast(a, b) >= 0; }
 
     const std::vector<Passing>& passings() const { return m_passings; }
 
-    /// Indices of the passings on a strand that are not undone, and kBar. Those of the same moment that follow
-    /// each other are in no particular order.
+    /// Indices of the passings on a strand that are not undone, and kBar.
     const std::vector<std::int32_t>& on(Strand strand) const {
         const auto i = static_cast<std::size_t>(strand.index);
         return strand.kind == Strand::Kind::Loop ? m_onLoop[i] : m_onFloat[i];
@@ -56,20 +60,23 @@ public:
 
     static constexpr std::int32_t kBar = -1;
 
+    /// Two passings on a strand that follow each other but might as well stand the other way round: of one
+    /// moment, with strands that have not passed each other.
+    bool areUnordered(Strand strand, std::int32_t a, std::int32_t b) const;
+
 private:
     using List = std::vector<std::int32_t>;
 
     List& list(Strand strand);
-    bool tryUndo(Pair pair, int sign);
-    std::int32_t findLast(Pair pair) const;
-    void settle(std::int32_t number);
+    bool tryUndo(const Pair& pair);
+    std::int32_t findLast(Strand a, Strand b) const;
     bool collectGap(Strand strand, std::int32_t number, List& gap) const;
     std::optional<Strand> findSlider(const Passing& passing) const;
     bool runsThrough(const Passing& passing, Strand strand) const;
     bool canSlide(Strand slider, const List& gap) const;
     void moveBehindMates(Strand strand, std::int32_t number);
     void slide(Strand slider, Strand fixed);
-    void swapOrder(List& passings, std::int32_t moved, std::int32_t other) const;
+    void swapOrder(Strand strand, std::int32_t moved, std::int32_t other);
 
     const Passing& at(std::int32_t number) const { return m_passings[static_cast<std::size_t>(number)]; }
 

@@ -38,6 +38,7 @@ std::int32_t StrandTracker::openFloat() {
 
 void StrandTracker::yarnMoved(CarrierIndex carrier, const machine::CarrierPlace* from,
                               const machine::CarrierPlace& to) {
+    applyRack();
     ++m_rank;
     const int side = sign(to.side);
     const Key target{to.pitches, side, side > 0 ? -m_rank : m_rank};
@@ -84,10 +85,12 @@ void StrandTracker::moveYarns(std::span<const Way> together) {
     const int direction = together[0].to > m_yarns[together[0].carrier].key ? 1 : -1;
     sortMet(direction);
     for (std::size_t i = 0; i < m_met.size();) {
-        const auto stack = stackAt(i);
-        m_moment += i > 0 && m_met[i - 1].key.x == stack[0].key.x && m_met[i - 1].key.side == 0 ? 0 : 1;
-        passYarns(together, stack, direction);
-        i += stack.size();
+        m_pairs.clear();
+        const Key place = m_met[i].key;
+        for (; i < m_met.size() && m_met[i].key.x == place.x && m_met[i].key.side == place.side; ++i) {
+            pairYarns(together, m_met[i], direction);
+        }
+        m_book.pass(m_pairs, operation(), ++m_moment);
     }
     for (const Way& way : together) {
         m_yarns[way.carrier].key = way.to;
@@ -100,11 +103,15 @@ void StrandTracker::collectLoops(Bed bed, const Key& low, const Key& high) {
     const auto last = static_cast<std::int32_t>(std::ceil(high.x - rack));
     const machine::NeedleRow& row = m_emulator.state().beds[static_cast<std::size_t>(bed)];
     for (std::int32_t i = std::max(first, row.first()); i <= std::min(last, row.end() - 1); ++i) {
-        const Key key{i + rack, 0, machine::isFront(bed) ? 0 : 1};
+        Key key{i + rack, 0, 0};
         if (!(low < key && key < high)) {
             continue;
         }
         for (const LoopIndex loop : row.at(i)) {
+            if (!machine::isFront(bed)) {
+                // Of two loops that face each other the rear one comes first if it came from the left.
+                key.rank = cameFromLeft(loop, key.x) ? -1 : 1;
+            }
             m_met.push_back({key, {Strand::Kind::Loop, loop}, machine::isFront(bed) ? 1 : -1, 0});
         }
     }
@@ -126,28 +133,16 @@ void StrandTracker::sortMet(int direction) {
     });
 }
 
-/// The loops of one needle, or one yarn.
-std::span<const StrandTracker::Met> StrandTracker::stackAt(std::size_t first) const {
-    const auto rest = std::span(m_met).subspan(first);
-    const auto end = std::ranges::find_if_not(rest, [&](const Met& met) { return met.key == rest[0].key; });
-    return rest.first(static_cast<std::size_t>(end - rest.begin()));
-}
-
-void StrandTracker::passYarns(std::span<const Way> together, std::span<const Met> stack, int direction) {
-    m_pairs.clear();
-    const bool inFront = isInFront(together[0].carrier, stack[0]);
+void StrandTracker::pairYarns(std::span<const Way> together, const Met& met, int direction) {
+    const bool inFront = isInFront(together[0].carrier, met);
     for (const Way& way : together) {
         const Yarn& yarn = m_yarns[way.carrier];
-        const Key& key = stack[0].key;
-        if (std::min(yarn.key, way.to) < key && key < std::max(yarn.key, way.to)) {
+        if (std::min(yarn.key, way.to) < met.key && met.key < std::max(yarn.key, way.to)) {
             const Strand self{Strand::Kind::Float, yarn.number};
-            for (const Met& met : stack) {
-                m_pairs.push_back(inFront ? PassingBook::Pair{self, met.strand}
-                                          : PassingBook::Pair{met.strand, self});
-            }
+            m_pairs.push_back(inFront ? PassingBook::Pair{self, met.strand, direction}
+                                      : PassingBook::Pair{met.strand, self, -direction});
         }
     }
-    m_book.pass(m_pairs, inFront ? direction : -direction, operation(), m_moment);
 }
 
 bool StrandTracker::isInFront(CarrierIndex carrier, const Met& met) const {
@@ -159,7 +154,6 @@ void StrandTracker::loopMade(LoopIndex loop) {
     const machine::Loop& made = m_emulator.loops().loops[static_cast<std::size_t>(loop)];
     Yarn& yarn = m_yarns[made.carrier];
     m_fates.push_back({made.needle, made.rack, Loop::End::Held});
-    m_stay.push_back(++m_stayCount);
     m_book.addLoop();
     for (const LoopIndex parent : m_emulator.loops().parentsOf(loop)) {
         Fate& fate = m_fates[static_cast<std::size_t>(parent)];
@@ -180,25 +174,17 @@ void StrandTracker::loopMade(LoopIndex loop) {
             .number = openFloat()};
 }
 
-void StrandTracker::loopsMoved(Needle from, Needle to, std::span<const LoopIndex> loops) {
-    const bool fromFront = machine::isFront(from.bed);
+void StrandTracker::loopsMoved(Needle, Needle to, std::span<const LoopIndex> loops) {
+    applyRack();
     for (const LoopIndex loop : loops) {
-        const auto i = static_cast<std::size_t>(loop);
-        m_fates[i].needle = to;
-        m_fates[i].rack = m_emulator.state().rack;
-        std::vector<Move>& moves = m_movesOf[loop];
-        if (!moves.empty() && moves.back().fromFront != fromFront && moves.back().after == markOf(loop)) {
-            m_stay[i] = moves.back().stayBefore; // came back unchanged: as if it had never left
-            moves.pop_back();
-        } else {
-            const std::int32_t before = m_stay[i];
-            m_stay[i] = ++m_stayCount;
-            moves.push_back({fromFront, before, markOf(loop)});
-        }
+        Fate& fate = m_fates[static_cast<std::size_t>(loop)];
+        fate.needle = to;
+        fate.rack = m_emulator.state().rack;
     }
 }
 
 void StrandTracker::loopsDropped(Needle needle, std::span<const LoopIndex> loops) {
+    applyRack();
     for (const LoopIndex loop : loops) {
         Fate& fate = m_fates[static_cast<std::size_t>(loop)];
         fate = {needle, m_emulator.state().rack,
@@ -207,6 +193,7 @@ void StrandTracker::loopsDropped(Needle needle, std::span<const LoopIndex> loops
 }
 
 void StrandTracker::yarnCut(CarrierIndex carrier) {
+    applyRack();
     m_yarns[carrier] = {};
 }
 
@@ -217,6 +204,15 @@ bool StrandTracker::holdsLoop(bool front, std::int32_t index) const {
 }
 
 void StrandTracker::racked(double from, double to) {
+    m_rackOperation = operation();
+    m_rackFrom = m_rackFrom.value_or(from);
+    m_rackTo = to;
+}
+
+void StrandTracker::applyRack() {
+    const double from = m_rackFrom.value_or(m_rackTo);
+    const double to = m_rackTo;
+    m_rackFrom.reset();
     if (from == to) {
         return;
     }
@@ -254,56 +250,71 @@ void StrandTracker::rackNeedle(std::int32_t rear, double from, double to) {
     collectYarns(low, high, {});
     sortMet(direction);
     for (std::size_t i = 0; i < m_met.size();) {
-        const auto stack = stackAt(i);
-        passRear(stack, rear, direction);
-        i += stack.size();
+        m_pairs.clear();
+        const Key place = m_met[i].key;
+        for (; i < m_met.size() && m_met[i].key == place; ++i) {
+            pairRear(m_met[i].strand, rear, direction);
+        }
+        passRear();
     }
     if (isWhole(end) && holdsLoop(true, static_cast<std::int32_t>(end))) {
         comeToFace(rear, static_cast<std::int32_t>(end), direction);
     }
 }
 
-void StrandTracker::passRear(std::span<const Met> stack, std::int32_t rear, int direction) {
-    m_pairs.clear();
-    for (const Met& met : stack) {
-        for (const Bed bed : kRearBeds) {
-            for (const LoopIndex loop : m_emulator.state().loopsOn({bed, rear})) {
-                m_pairs.push_back({met.strand, {Strand::Kind::Loop, loop}});
-            }
+void StrandTracker::pairRear(Strand over, std::int32_t rear, int direction) {
+    for (const Bed bed : kRearBeds) {
+        for (const LoopIndex loop : m_emulator.state().loopsOn({bed, rear})) {
+            m_pairs.push_back({over, {Strand::Kind::Loop, loop}, -direction});
         }
     }
-    std::erase_if(m_pairs, [&](PassingBook::Pair pair) { return isFree(pair); });
-    passLoops(direction);
 }
 
-/// The rear loops of m_pairs go in `direction` past the front loops.
-void StrandTracker::passLoops(int direction) {
-    m_book.pass(m_pairs, -direction, operation(), ++m_moment);
+void StrandTracker::passRear() {
+    std::erase_if(m_pairs, [&](const PassingBook::Pair& pair) { return isFree(pair); });
+    m_book.pass(m_pairs, m_rackOperation, ++m_moment);
 }
 
 void StrandTracker::leaveFacing(std::int32_t rear, std::int32_t front, int direction) {
-    pairFacing(rear, front);
+    pairFacing(rear, front, direction);
     std::erase_if(m_pairs, [&](PassingBook::Pair pair) {
         const int side = cameFrom(pair);
         if (side == 0) {
-            m_free[code(pair)] = marksOf(pair);
+            m_facedFromStart.insert(code(pair));
         }
         m_cameFrom.erase(code(pair));
         return side != -direction;
     });
-    passLoops(direction);
+    passRear();
 }
 
 void StrandTracker::comeToFace(std::int32_t rear, std::int32_t front, int direction) {
-    pairFacing(rear, front);
+    pairFacing(rear, front, direction);
     std::erase_if(m_pairs, [&](PassingBook::Pair pair) { return isFree(pair); });
     for (const PassingBook::Pair& pair : m_pairs) {
-        m_free.erase(code(pair));
         m_cameFrom[code(pair)] = direction; // unless they have not passed before
     }
-    for (const PassingBook::Pair& pair : m_book.undo(m_pairs, -direction)) {
+    for (const PassingBook::Pair& pair : m_book.undo(m_pairs)) {
         m_cameFrom[code(pair)] = -direction;
     }
+}
+
+bool StrandTracker::isFree(PassingBook::Pair pair) const {
+    return pair.over.kind == Strand::Kind::Loop && m_facedFromStart.contains(code(pair)) &&
+           !m_book.havePassed(pair.over, pair.under);
+}
+
+bool StrandTracker::cameFromLeft(LoopIndex rear, double place) const {
+    int side = 0;
+    if (!m_cameFrom.empty() && isWhole(place)) {
+        for (const Bed bed : kFrontBeds) {
+            for (const LoopIndex front :
+                 m_emulator.state().loopsOn({bed, static_cast<std::int32_t>(place)})) {
+                side += cameFrom({{Strand::Kind::Loop, front}, {Strand::Kind::Loop, rear}});
+            }
+        }
+    }
+    return side < 0;
 }
 
 int StrandTracker::cameFrom(PassingBook::Pair pair) const {
@@ -314,13 +325,13 @@ int StrandTracker::cameFrom(PassingBook::Pair pair) const {
 /// A loop that is drawn through others faces what they face, and from the same side.
 void StrandTracker::inheritFacing(LoopIndex loop) {
     const machine::Loop& made = m_emulator.loops().loops[static_cast<std::size_t>(loop)];
-    const double facing = machine::isFront(made.needle.bed) ? made.needle.index - made.rack : made.needle.index + made.rack;
+    const double facing =
+        machine::isFront(made.needle.bed) ? made.needle.index - made.rack : made.needle.index + made.rack;
     if (m_cameFrom.empty() || !isWhole(facing)) {
         return;
     }
     for (const Bed bed : machine::isFront(made.needle.bed) ? kRearBeds : kFrontBeds) {
-        for (const LoopIndex other :
-             m_emulator.state().loopsOn({bed, static_cast<std::int32_t>(facing)})) {
+        for (const LoopIndex other : m_emulator.state().loopsOn({bed, static_cast<std::int32_t>(facing)})) {
             int side = 0;
             for (const LoopIndex parent : m_emulator.loops().parentsOf(loop)) {
                 const PassingBook::Pair pair = facingPair(made, parent, other);
@@ -328,8 +339,8 @@ void StrandTracker::inheritFacing(LoopIndex loop) {
                 side = side == 0 ? own : side;
                 if (own == -side && own != 0) {
                     // Where the parents differ, the others pass so that they all agree.
-                    m_pairs = {pair};
-                    passLoops(side);
+                    m_pairs = {{pair.over, pair.under, -side}};
+                    m_book.pass(m_pairs, operation(), ++m_moment);
                 }
             }
             if (side != 0) {
@@ -339,43 +350,20 @@ void StrandTracker::inheritFacing(LoopIndex loop) {
     }
 }
 
-PassingBook::Pair StrandTracker::facingPair(const machine::Loop& made, LoopIndex own,
-                                            LoopIndex other) const {
+PassingBook::Pair StrandTracker::facingPair(const machine::Loop& made, LoopIndex own, LoopIndex other) const {
     const Strand a{Strand::Kind::Loop, own};
     const Strand b{Strand::Kind::Loop, other};
     return machine::isFront(made.needle.bed) ? PassingBook::Pair{a, b} : PassingBook::Pair{b, a};
 }
 
 /// All pairs of loops of two needles that face each other.
-void StrandTracker::pairFacing(std::int32_t rear, std::int32_t front) {
+void StrandTracker::pairFacing(std::int32_t rear, std::int32_t front, int direction) {
     m_pairs.clear();
-    for (const Bed frontBed : kFrontBeds) {
-        for (const LoopIndex over : m_emulator.state().loopsOn({frontBed, front})) {
-            for (const Bed rearBed : kRearBeds) {
-                for (const LoopIndex under : m_emulator.state().loopsOn({rearBed, rear})) {
-                    m_pairs.push_back({{Strand::Kind::Loop, over}, {Strand::Kind::Loop, under}});
-                }
-            }
+    for (const Bed bed : kFrontBeds) {
+        for (const LoopIndex over : m_emulator.state().loopsOn({bed, front})) {
+            pairRear({Strand::Kind::Loop, over}, rear, direction);
         }
     }
-}
-
-/// The two faced each other from the beginning, and nothing has happened to them since they parted.
-bool StrandTracker::isFree(PassingBook::Pair pair) const {
-    if (pair.over.kind == Strand::Kind::Float) {
-        return false;
-    }
-    const auto found = m_free.find(code(pair));
-    return found != m_free.end() && found->second == marksOf(pair);
-}
-
-std::pair<StrandTracker::Mark, StrandTracker::Mark> StrandTracker::marksOf(PassingBook::Pair pair) const {
-    return {markOf(pair.over.index), markOf(pair.under.index)};
-}
-
-StrandTracker::Mark StrandTracker::markOf(LoopIndex loop) const {
-    const auto& on = m_book.on({Strand::Kind::Loop, loop});
-    return {m_stay[static_cast<std::size_t>(loop)], on.size(), on.empty() ? 0 : on.back()};
 }
 
 } // namespace knittsim::fabric

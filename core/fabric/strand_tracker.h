@@ -4,8 +4,9 @@
 #include "core/machine/emulator.h"
 
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
-#include <utility>
+#include <unordered_set>
 #include <vector>
 
 namespace knittsim::fabric {
@@ -19,15 +20,20 @@ namespace knittsim::fabric {
 /// that change their order make a passing; PassingBook undoes those that come to nothing. Formal background:
 /// Lin et al., "Semantics and Scheduling for Machine Knitting Compilers" (SIGGRAPH 2023).
 ///
+/// Racks that follow each other without anything between them are one rack.
+///
 /// Loops that face each other (same place, both beds) have not passed yet. At rack 0.25 the rear loop stands
-/// to the right of the front loop with its number, and between racks 0 and 0.25 nothing passes. A rear needle
-/// that comes to face a loop has passed it when it goes on, not when it goes back. Needles whose loops faced
-/// each other from the beginning have no order, whichever way they part and however often, until something
-/// else depends on it.
+/// to the right of the front loop with its number, and between racks 0 and 0.25 nothing passes. A rear loop
+/// that comes to face a front loop has passed it when it goes on, not when it goes back. Loops that faced
+/// each other from the beginning have no order, and none of their ways past each other counts: whichever way
+/// they end up is how they stood from the beginning.
 class StrandTracker : public machine::EmulationListener {
 public:
     /// `emulator` is the one that will be stepped; it must outlive the tracker.
     StrandTracker(const machine::Emulator& emulator, const machine::Program& program);
+
+    /// To be called after the last operation.
+    void finish() { applyRack(); }
 
     const PassingBook& book() const { return m_book; }
 
@@ -73,19 +79,6 @@ private:
         int layer; ///< +1 front bed, 0 between the beds, -1 rear bed
         CarrierIndex carrier;
     };
-    /// What tells whether anything has happened to a loop: its stay on a bed and the passings on it.
-    struct Mark {
-        std::int32_t stay = 0;
-        std::size_t count = 0;
-        std::int32_t last = 0;
-        bool operator==(const Mark&) const = default;
-    };
-    /// A loop that went to the other bed, so that coming back unchanged can be recognised.
-    struct Move {
-        bool fromFront;
-        std::int32_t stayBefore;
-        Mark after;
-    };
     /// A carrier on its way to its next place.
     struct Way {
         CarrierIndex carrier;
@@ -96,20 +89,19 @@ private:
     void collectLoops(machine::Bed bed, const Key& low, const Key& high);
     void collectYarns(const Key& low, const Key& high, const machine::CarrierSet& except);
     void sortMet(int direction);
-    std::span<const Met> stackAt(std::size_t first) const;
-    void passYarns(std::span<const Way> together, std::span<const Met> stack, int direction);
+    void pairYarns(std::span<const Way> together, const Met& met, int direction);
     bool isInFront(CarrierIndex carrier, const Met& met) const;
+    void applyRack();
     void rackNeedle(std::int32_t rear, double from, double to);
-    void passRear(std::span<const Met> stack, std::int32_t rear, int direction);
-    void passLoops(int direction);
+    void pairRear(Strand over, std::int32_t rear, int direction);
+    void passRear();
+    bool isFree(PassingBook::Pair pair) const;
     void leaveFacing(std::int32_t rear, std::int32_t front, int direction);
     void comeToFace(std::int32_t rear, std::int32_t front, int direction);
-    void pairFacing(std::int32_t rear, std::int32_t front);
-    bool isFree(PassingBook::Pair pair) const;
-    std::pair<Mark, Mark> marksOf(PassingBook::Pair pair) const;
-    Mark markOf(LoopIndex loop) const;
+    void pairFacing(std::int32_t rear, std::int32_t front, int direction);
     bool holdsLoop(bool front, std::int32_t index) const;
     void inheritFacing(LoopIndex loop);
+    bool cameFromLeft(LoopIndex rear, double place) const;
     int cameFrom(PassingBook::Pair pair) const;
     PassingBook::Pair facingPair(const machine::Loop& made, LoopIndex own, LoopIndex other) const;
     std::int32_t openFloat();
@@ -121,19 +113,18 @@ private:
     std::vector<Yarn> m_yarns;          ///< by carrier
     std::vector<LoopIndex> m_loopAfter; ///< by float
     std::vector<Fate> m_fates;          ///< by loop
-    std::vector<std::int32_t> m_stay;   ///< by loop: number of its present stay on a bed
-    std::unordered_map<LoopIndex, std::vector<Move>> m_movesOf;
-    /// Pairs of loops that face each other: side from which the rear one came, -1 left, +1 right. None if they
-    /// face each other from the beginning.
+    /// Pairs of loops that face each other: side from which the rear one came, -1 left, +1 right. None if
+    /// they face each other from the beginning.
     std::unordered_map<std::uint64_t, int> m_cameFrom;
-    /// Pairs of loops that faced each other from the beginning and have parted, with their marks then.
-    std::unordered_map<std::uint64_t, std::pair<Mark, Mark>> m_free;
-    std::vector<Way> m_ways; ///< of the carriers of the present operation
+    std::unordered_set<std::uint64_t> m_facedFromStart; ///< pairs of loops that parted later
+    std::vector<Way> m_ways;                            ///< of the carriers of the present operation
     std::vector<Met> m_met;
     std::vector<PassingBook::Pair> m_pairs;
     std::int64_t m_rank = 0;
     std::int32_t m_moment = 0;
-    std::int32_t m_stayCount = 0;
+    std::optional<double> m_rackFrom; ///< of the racks since something else happened
+    double m_rackTo = 0;
+    OperationIndex m_rackOperation = 0;
 };
 
 } // namespace knittsim::fabric

@@ -95,8 +95,7 @@ private:
             stop.crossedPiece = other.piece;
             stop.sign = crossing.sign;
         } else {
-            stop.entry =
-                m_entries.emplace(here.entry, static_cast<int>(m_entries.size())).first->second;
+            stop.entry = m_entries.emplace(here.entry, static_cast<int>(m_entries.size())).first->second;
         }
         return stop;
     }

@@ -72,8 +72,8 @@ FabricForm withoutMachine(FabricForm form);
 /// Leaves out the crossings of floats.
 FabricForm withoutFloats(FabricForm form);
 
-/// Puts crossings that follow each other on one piece into a fixed order. Strands at the same place of the bed
-/// (a stack, facing loops) have no order across; where it has to be chosen, a mirror may change it.
+/// Puts crossings that follow each other on one piece into a fixed order. Strands at the same place of the
+/// bed (a stack, facing loops) have no order across; where it has to be chosen, a mirror may change it.
 FabricForm withSortedCrossings(FabricForm form);
 
 /// The first thing that differs, in words; nothing when the forms are equal.

@@ -7,8 +7,8 @@
 
 namespace knittsim::test {
 
-/// Checks a property for `count` random programs, with the seeds options.seed, options.seed + 1, ... The first
-/// that fails is shrunk and shown as knitout.
+/// Checks a property for `count` random programs, with the seeds options.seed, options.seed + 1, ... The
+/// first that fails is shrunk and shown as knitout.
 inline void forRandomPrograms(int count, RandomProgramOptions options, const Property& property) {
     const std::uint32_t first = options.seed;
     for (int i = 0; i < count; ++i) {

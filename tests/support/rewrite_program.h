@@ -12,11 +12,11 @@ machine::Program mirrored(machine::Program program);
 /// The program for somebody who stands behind the machine and calls the rear bed the front one.
 machine::Program turnedOver(machine::Program program);
 
-/// Changes the order of neighbouring operations that are independent, as often as `tries` random places allow.
-/// Two operations are independent when both knit, tuck, miss, split, transfer or drop, they share no carrier,
-/// and the stretches of the bed that they touch have no place in common. The stretch of an operation runs from
-/// where its carriers stand to its needle; of a transfer or a drop it is the place of its needle. So neither
-/// passes anything that the other one moves or makes.
+/// Changes the order of neighbouring operations that are independent, as often as `tries` random places
+/// allow. Two operations are independent when both knit, tuck, miss, split, transfer or drop, they share no
+/// carrier, and the stretches of the bed that they touch have no place in common. The stretch of an operation
+/// runs from where its carriers stand to its needle; of a transfer or a drop it is the place of its needle.
+/// So neither passes anything that the other one moves or makes.
 machine::Program withSwaps(machine::Program program, int tries, std::uint32_t seed);
 
 /// Something that leaves the fabric as it is.

@@ -13,17 +13,18 @@ namespace {
 
 using machine::Program;
 using test::FabricForm;
-using test::forRandomPrograms;
 using test::formOf;
+using test::forRandomPrograms;
 
-constexpr int kPrograms = 60;
+constexpr int kPrograms = 300;
 
 Fabric knitted(const Program& program) {
     return buildFabric(machine::Timeline(program, machine::genericProfile()));
 }
 
+/// Of diagrams that differ by third Reidemeister moves the books keep any one.
 FabricForm form(const Program& program) {
-    return formOf(knitted(program));
+    return withSortedCrossings(formOf(knitted(program)));
 }
 
 /// The program with something in it that does nothing makes the same fabric, wherever it is put in. Small
@@ -44,35 +45,38 @@ test::Property unchangedBy(test::Nothing nothing) {
 }
 
 TEST(Invariants, ARackThereAndBackIsNothing) {
-    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::RackThereAndBack));
+    forRandomPrograms(kPrograms, {.seed = 1000, .operations = 150},
+                      unchangedBy(test::Nothing::RackThereAndBack));
 }
 
 TEST(Invariants, ARackInStepsIsTheRack) {
-    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::RackInSteps));
+    forRandomPrograms(kPrograms, {.seed = 1000, .operations = 150}, unchangedBy(test::Nothing::RackInSteps));
 }
 
 TEST(Invariants, ATransferThereAndBackIsNothing) {
-    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::TransferThereAndBack));
+    forRandomPrograms(kPrograms, {.seed = 1000, .operations = 150},
+                      unchangedBy(test::Nothing::TransferThereAndBack));
 }
 
 TEST(Invariants, AMissThereAndBackIsNothing) {
-    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::MissThereAndBack));
+    forRandomPrograms(kPrograms, {.seed = 1000, .operations = 150},
+                      unchangedBy(test::Nothing::MissThereAndBack));
 }
 
 TEST(Invariants, ADropOfAnEmptyNeedleIsNothing) {
-    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::DropOfNothing));
+    forRandomPrograms(kPrograms, {.seed = 1000, .operations = 150},
+                      unchangedBy(test::Nothing::DropOfNothing));
 }
 
 TEST(Invariants, TheOrderOfIndependentOperationsDoesNotMatter) {
-    forRandomPrograms(kPrograms, {.operations = 150}, [](const Program& program) {
+    forRandomPrograms(kPrograms, {.seed = 1000, .operations = 150}, [](const Program& program) {
         return difference(form(program), form(test::withSwaps(program, 300, 7)));
     });
 }
 
 TEST(Invariants, AMirroredProgramMakesTheMirroredFabric) {
-    forRandomPrograms(kPrograms, {.operations = 150}, [](const Program& program) {
-        return difference(withSortedCrossings(mirrored(form(program))),
-                          withSortedCrossings(form(test::mirrored(program))));
+    forRandomPrograms(kPrograms, {.seed = 1000, .operations = 150}, [](const Program& program) {
+        return difference(withSortedCrossings(mirrored(form(program))), form(test::mirrored(program)));
     });
 }
 
@@ -80,7 +84,7 @@ TEST(Invariants, TheTurnedProgramMakesTheFabricSeenFromTheBack) {
     forRandomPrograms(kPrograms, {.operations = 150, .maxRack = 0, .quarterRacks = false},
                       [](const Program& program) {
                           return difference(withSortedCrossings(turnedOver(form(program))),
-                                            withSortedCrossings(form(test::turnedOver(program))));
+                                            form(test::turnedOver(program)));
                       });
 }
 
