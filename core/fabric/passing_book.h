@@ -40,8 +40,8 @@ public:
         int sign = 1;
     };
 
-    /// These pairs pass each other at one moment: those that passed before the other way undo that, the others
-    /// make new passings. `moment` as in Passing.
+    /// These pairs pass each other at one moment: those that passed before the other way undo that, the
+    /// others make new passings. `moment` as in Passing.
     void pass(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment);
 
     /// Undoes earlier passings only. Returns the pairs that found none; valid until the next call.

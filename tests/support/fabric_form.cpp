@@ -207,10 +207,18 @@ FabricForm turnedOver(FabricForm form) {
 FabricForm withoutMachine(FabricForm form) {
     for (FormYarn& yarn : form.yarns) {
         for (FormLoop& loop : yarn.loops) {
-            loop.needle = {};
+            const bool pulled = !loop.parents.empty();
+            loop.needle = {pulled ? loop.needle.bed : Bed::Front, 0};
             loop.bound = {};
             loop.kind = machine::OperationKind::Knit;
         }
+    }
+    return form;
+}
+
+FabricForm withoutCrossings(FabricForm form) {
+    for (FormYarn& yarn : form.yarns) {
+        std::erase_if(yarn.stops, [](const Stop& stop) { return stop.role == Role::Crossing; });
     }
     return form;
 }
@@ -231,9 +239,8 @@ FabricForm withoutOpposites(FabricForm form) {
             Stop opposite = yarn.stops[i];
             opposite.sign = -opposite.sign;
             const auto rest = yarn.stops.begin() + static_cast<std::ptrdiff_t>(i);
-            const auto found = opposite.role == Role::Crossing
-                                   ? std::find(rest, yarn.stops.end(), opposite)
-                                   : yarn.stops.end();
+            const auto found = opposite.role == Role::Crossing ? std::find(rest, yarn.stops.end(), opposite)
+                                                               : yarn.stops.end();
             if (found == yarn.stops.end()) {
                 ++i;
             } else {

@@ -66,8 +66,11 @@ FabricForm mirrored(FabricForm form);
 /// Seen from behind, by somebody who calls the rear bed the front one.
 FabricForm turnedOver(FabricForm form);
 
-/// Leaves out where and how loops were made and held: what a person who has only the fabric can see.
+/// Leaves out where loops were made and held and how: what a person who has only the fabric can see. What
+/// stays is the bed on which a loop was drawn through others, that is the side to which it was pulled.
 FabricForm withoutMachine(FabricForm form);
+
+FabricForm withoutCrossings(FabricForm form);
 
 /// Leaves out the crossings of floats.
 FabricForm withoutFloats(FabricForm form);

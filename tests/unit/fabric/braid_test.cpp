@@ -53,14 +53,12 @@ TEST(Braid, OneCableIsOneLetter) {
 }
 
 TEST(Braid, ThreeCablesOverThreeStrands) {
-    const std::string plait =
-        cable(0, 1, Front::Left) + cable(1, 1, Front::Right) + cable(0, 1, Front::Left);
+    const std::string plait = cable(0, 1, Front::Left) + cable(1, 1, Front::Right) + cable(0, 1, Front::Left);
     EXPECT_THAT(braidWord(build(kSix + plait), kSingles), Optional(ElementsAre(1, -2, 1)));
 }
 
 TEST(Braid, ThreeCablesOfTwoLoopsEach) {
-    const std::string plait =
-        cable(0, 2, Front::Left) + cable(2, 2, Front::Right) + cable(0, 2, Front::Left);
+    const std::string plait = cable(0, 2, Front::Left) + cable(2, 2, Front::Right) + cable(0, 2, Front::Left);
     const Fabric fabric = build(kSix + plait);
     EXPECT_EQ(fabric.crossings.size(), 3U * 16U);
     EXPECT_THAT(braidWord(fabric, kPairs), Optional(ElementsAre(1, -2, 1)));
@@ -105,8 +103,8 @@ TEST(Braid, TheBraidRelationHolds) {
 TEST(Braid, AStrandThroughTheGapIsSlidOut) {
     // The second loop passes behind the first and the third one; the third follows it to the rear bed, and
     // both come back. Only the first and the third have changed places with the second.
-    const Fabric fabric = build("in 1\n" + pass("knit", 'f', 0, 2, 1) +
-                                "xfer f2 b2\nrack -3\nxfer f0 b3\nrack 0.25\n");
+    const Fabric fabric =
+        build("in 1\n" + pass("knit", 'f', 0, 2, 1) + "xfer f2 b2\nrack -3\nxfer f0 b3\nrack 0.25\n");
     // b2 went from 2 to -1 and back; b3 stands at 3.25.
     EXPECT_THAT(braidWord(fabric, kSingles), Optional(ElementsAre(-1, 2)));
 }

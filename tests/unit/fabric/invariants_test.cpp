@@ -53,8 +53,7 @@ test::Property unchangedBy(test::Nothing nothing) {
 }
 
 TEST(Invariants, ARackThereAndBackIsNothing) {
-    forRandomPrograms(kPrograms, {.operations = 150},
-                      unchangedBy(test::Nothing::RackThereAndBack));
+    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::RackThereAndBack));
 }
 
 TEST(Invariants, ARackInStepsIsTheRack) {
@@ -63,18 +62,15 @@ TEST(Invariants, ARackInStepsIsTheRack) {
 
 /// Where several loops of one stack lie in the way of others the books may keep a pair of opposite crossings.
 TEST(Invariants, ATransferThereAndBackIsNothing) {
-    forRandomPrograms(kPrograms, {.operations = 150},
-                      unchangedBy(test::Nothing::TransferThereAndBack));
+    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::TransferThereAndBack));
 }
 
 TEST(Invariants, AMissThereAndBackIsNothing) {
-    forRandomPrograms(kPrograms, {.operations = 150},
-                      unchangedBy(test::Nothing::MissThereAndBack));
+    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::MissThereAndBack));
 }
 
 TEST(Invariants, ADropOfAnEmptyNeedleIsNothing) {
-    forRandomPrograms(kPrograms, {.operations = 150},
-                      unchangedBy(test::Nothing::DropOfNothing));
+    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::DropOfNothing));
 }
 
 TEST(Invariants, TheOrderOfIndependentOperationsDoesNotMatter) {

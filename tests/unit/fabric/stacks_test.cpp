@@ -55,26 +55,31 @@ TEST(Plating, TheLeadingYarnLiesOnTheTechnicalFace) {
     const Fabric fabric = build("in 1 2\nknit + f5 1 2\nknit - f5 1 2\n");
     EXPECT_THAT((std::vector{fabric.loops[2].plating, fabric.loops[3].plating}), ElementsAre(0, 1));
     // From the back: yarn 2 behind yarn 1, in the old loop, in the new one, and at both crossings.
-    EXPECT_THAT(depthAtHeads(fabric, 0, ClaspLevel::Lower), ElementsAre("foot 3", "foot 2", "head 1", "head 0"));
-    EXPECT_THAT(depthAtHeads(fabric, 0, ClaspLevel::Upper), ElementsAre("head 1", "head 0", "foot 3", "foot 2"));
+    EXPECT_THAT(depthAtHeads(fabric, 0, ClaspLevel::Lower),
+                ElementsAre("foot 3", "foot 2", "head 1", "head 0"));
+    EXPECT_THAT(depthAtHeads(fabric, 0, ClaspLevel::Upper),
+                ElementsAre("head 1", "head 0", "foot 3", "foot 2"));
 }
 
 TEST(Plating, TheOrderOfTheCarriersIsKeptNotTheirNumbers) {
     const Fabric fabric = build("in 1 2\nknit + f5 2 1\nknit - f5 2 1\n");
     EXPECT_EQ(fabric.made.loops[2].carrier, 1);
     EXPECT_EQ(fabric.loops[2].plating, 0);
-    EXPECT_THAT(depthAtHeads(fabric, 0, ClaspLevel::Upper), ElementsAre("head 1", "head 0", "foot 3", "foot 2"));
+    EXPECT_THAT(depthAtHeads(fabric, 0, ClaspLevel::Upper),
+                ElementsAre("head 1", "head 0", "foot 3", "foot 2"));
 }
 
 TEST(Plating, OnTheRearBedTheFaceIsTheBack) {
     const Fabric fabric = build("in 1 2\nknit + b5 1 2\nknit - b5 1 2\n");
-    EXPECT_THAT(depthAtHeads(fabric, 0, ClaspLevel::Upper), ElementsAre("foot 2", "foot 3", "head 0", "head 1"));
+    EXPECT_THAT(depthAtHeads(fabric, 0, ClaspLevel::Upper),
+                ElementsAre("foot 2", "foot 3", "head 0", "head 1"));
 }
 
 TEST(Plating, ATransferDoesNotTurnTheYarnsRound) {
     // Made on the front bed with yarn 1 in front, knitted off on the rear bed: yarn 1 still lies in front.
     const Fabric fabric = build("in 1 2\nknit + f5 1 2\nxfer f5 b5\nknit - b5 1 2\n");
-    EXPECT_THAT(depthAtHeads(fabric, 0, ClaspLevel::Lower), ElementsAre("head 1", "head 0", "foot 2", "foot 3"));
+    EXPECT_THAT(depthAtHeads(fabric, 0, ClaspLevel::Lower),
+                ElementsAre("head 1", "head 0", "foot 2", "foot 3"));
 }
 
 TEST(Stacks, ALoopThatArrivesLiesFartherFromTheBed) {
@@ -85,8 +90,7 @@ TEST(Stacks, ALoopThatArrivesLiesFartherFromTheBed) {
 
 // Loop 1 lies behind loop 0 on f0; on the needle b0 it is then the one nearest to the bed.
 TEST(Stacks, ATransferredStackKeepsItsOrderInSpace) {
-    const std::string stacked =
-        "in 1\nknit + f0 1\nknit + f1 1\nxfer f1 b1\nrack -1\nxfer b1 f0\nrack 0\n";
+    const std::string stacked = "in 1\nknit + f0 1\nknit + f1 1\nxfer f1 b1\nrack -1\nxfer b1 f0\nrack 0\n";
     const Fabric fabric = build(stacked + "xfer f0 b0\nknit - b0 1\n");
     EXPECT_THAT(stackPlaces(fabric), ElementsAre(1, 0, 0));
     EXPECT_THAT(fabric.made.parentsOf(2), ElementsAre(1, 0));
@@ -110,7 +114,8 @@ TEST(Stacks, TucksLieOnTopInTheOrderTheyCame) {
     for (const LoopIndex loop : {0, 1, 2}) {
         EXPECT_THAT(through(fabric, loop), ElementsAre(3));
     }
-    EXPECT_THAT(depthAtHeads(fabric, 0, ClaspLevel::Upper), ElementsAre("head 2", "head 1", "head 0", "foot 3"));
+    EXPECT_THAT(depthAtHeads(fabric, 0, ClaspLevel::Upper),
+                ElementsAre("head 2", "head 1", "head 0", "foot 3"));
 }
 
 TEST(Splits, TheNewLoopIsDrawnThroughTheOldOneThatGoesOn) {

@@ -38,8 +38,8 @@ Polyline reversed(const Polyline& line) {
     return {line.rbegin(), line.rend()};
 }
 
-// Right-hand rule: with the fingers along kFlat the thumb points up, and the other circle runs up where it goes
-// through the middle of it.
+// Right-hand rule: with the fingers along kFlat the thumb points up, and the other circle runs up where it
+// goes through the middle of it.
 TEST(LinkingNumber, HopfLinkIsOneWithTheSignOfTheHand) {
     const Polyline up = circle({1, 0, 0}, {-1, 0, 0}, {0, 0, 1});
     EXPECT_NEAR(linkingNumber(kFlat, up), 1, 1e-9);
@@ -69,8 +69,8 @@ TEST(LinkingNumber, SolomonsLinkIsTwo) {
     EXPECT_NEAR(std::abs(linkingNumber(kFlat, aroundFlat(5))), 5, 1e-9);
 }
 
-// Interlocked, and still 0: a doubled strand runs through the ring there and back, and its two bights hook into
-// each other on the far side, each of them over the other one once.
+// Interlocked, and still 0: a doubled strand runs through the ring there and back, and its two bights hook
+// into each other on the far side, each of them over the other one once.
 TEST(LinkingNumber, WhiteheadLinkIsNone) {
     const auto at = [](double radius, double degrees, double height) {
         const double angle = degrees * std::numbers::pi / 180;
