@@ -77,9 +77,8 @@ bool PassingBook::tryUndo(const Pair& pair) {
         return false;
     }
     for (const Strand strand : {last.over, last.under}) {
-        moveBehindMates(strand, number);
         List& passings = list(strand);
-        passings.erase(passings.end() - 1 - static_cast<std::ptrdiff_t>(m_gapOver.size()));
+        passings.erase(passings.end() - 1 - static_cast<std::ptrdiff_t>(*countAfter(passings, number)));
     }
     if (slider) {
         slide(*slider, last.other(*slider));
@@ -96,10 +95,7 @@ std::int32_t PassingBook::findLast(Strand a, Strand b) const {
     const List& passings = on(shorter);
     const std::size_t reach = std::min(passings.size(), kReach + 1);
     for (const std::int32_t number : lastOf(passings, reach) | std::views::reverse) {
-        if (number == kBar) {
-            return -1;
-        }
-        if (at(number).other(shorter) == longer) {
+        if (number != kBar && at(number).other(shorter) == longer) {
             return number;
         }
     }
@@ -119,15 +115,6 @@ bool PassingBook::collectGap(Strand strand, std::int32_t number, List& gap) cons
         std::ranges::find_if_not(rest, [&](std::int32_t n) { return areUnordered(strand, number, n); });
     gap.assign(begin, rest.end());
     return std::ranges::find(gap, kBar) == gap.end();
-}
-
-/// Puts a passing behind those right after it of the same moment.
-void PassingBook::moveBehindMates(Strand strand, std::int32_t number) {
-    List& passings = list(strand);
-    const auto place = passings.end() - 1 - static_cast<std::ptrdiff_t>(*countAfter(passings, number));
-    const auto end = std::find_if_not(place + 1, passings.end(),
-                                      [&](std::int32_t n) { return areUnordered(strand, number, n); });
-    std::rotate(place, place + 1, end);
 }
 
 /// One of the two strands of `passing` that can be slid across all that lies in the gap above it.

@@ -74,7 +74,6 @@ private:
     std::optional<Strand> findSlider(const Passing& passing) const;
     bool runsThrough(const Passing& passing, Strand strand) const;
     bool canSlide(Strand slider, const List& gap) const;
-    void moveBehindMates(Strand strand, std::int32_t number);
     void slide(Strand slider, Strand fixed);
     void swapOrder(Strand strand, std::int32_t moved, std::int32_t other);
 

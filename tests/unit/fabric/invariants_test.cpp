@@ -21,7 +21,7 @@ using test::FabricForm;
 using test::formOf;
 using test::forRandomPrograms;
 
-constexpr int kPrograms = 60;
+constexpr int kPrograms = 100;
 
 Fabric knitted(const Program& program) {
     return buildFabric(machine::Timeline(program, machine::genericProfile()));
@@ -33,7 +33,9 @@ FabricForm form(const Program& program) {
 }
 
 /// The program with something in it that does nothing makes the same fabric, wherever it is put in. Small
-/// programs are tried more often, so that shrinking finds the place again.
+/// programs are tried more often, so that shrinking finds the place again. Transfers and misses between two
+/// racks part these, and then the books may keep a pair of opposite crossings where a whole stack lies in the
+/// way (one program in a thousand): such pairs are left out there.
 test::Property unchangedBy(test::Nothing nothing) {
     return [nothing](const Program& program) {
         const FabricForm plain = form(program);
@@ -41,7 +43,7 @@ test::Property unchangedBy(test::Nothing nothing) {
         for (std::uint32_t seed = 0; seed < tries; ++seed) {
             const Program changed = test::with(nothing, program, seed);
             const std::string failure =
-                nothing == test::Nothing::TransferThereAndBack
+                nothing == test::Nothing::TransferThereAndBack || nothing == test::Nothing::MissThereAndBack
                     ? difference(withoutOpposites(plain), withoutOpposites(form(changed)))
                     : difference(plain, form(changed));
             if (!failure.empty()) {
@@ -60,7 +62,6 @@ TEST(Invariants, ARackInStepsIsTheRack) {
     forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::RackInSteps));
 }
 
-/// Where several loops of one stack lie in the way of others the books may keep a pair of opposite crossings.
 TEST(Invariants, ATransferThereAndBackIsNothing) {
     forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::TransferThereAndBack));
 }
