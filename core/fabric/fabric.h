@@ -38,7 +38,7 @@ struct BondingPoint {
     Role role = Role::Head;
     Side side = Side::Left; ///< of the loop, seen from the front
     /// Crossing: +1 this strand lies in front (nearer to a viewer of the front bed), -1 behind.
-    /// Foot and Head: 0, the order follows from the bed of the loop.
+    /// Foot and Head: 0, depth_order.h tells the order.
     std::int8_t front = 0;
     Piece piece = Piece::LeftLeg; ///< Crossing: on which it lies
     std::int32_t crossing = -1;   ///< index into Fabric::crossings, or -1

@@ -134,8 +134,8 @@ void StrandTracker::sortMet(int direction) {
 }
 
 void StrandTracker::pairYarns(std::span<const Way> together, const Met& met, int direction) {
-    const bool inFront = isInFront(together[0].carrier, met);
     for (const Way& way : together) {
+        const bool inFront = isInFront(way.carrier, met);
         const Yarn& yarn = m_yarns[way.carrier];
         if (std::min(yarn.key, way.to) < met.key && met.key < std::max(yarn.key, way.to)) {
             const Strand self{Strand::Kind::Float, yarn.number};

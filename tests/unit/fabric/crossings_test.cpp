@@ -148,6 +148,23 @@ TEST(Crossings, PlatedYarnsRunSideBySide) {
                     .crossings.empty());
 }
 
+// Carriers 1 and 3 knit together; carrier 2, on the rail between theirs, stands in their way.
+TEST(Crossings, PlatedYarnsPassAnotherYarnEachOnItsRail) {
+    const Fabric fabric = build("in 1 3\nin 2\ntuck + f0 1 3\ntuck + f4 2\ntuck + f8 1 3\ntuck - f2 2\n");
+    const auto carrierOf = [&](PointIndex p) {
+        const LoopIndex loop = fabric.points[static_cast<std::size_t>(p)].loop;
+        return static_cast<int>(fabric.made.loops[static_cast<std::size_t>(loop)].carrier);
+    };
+    std::multiset<std::pair<int, int>> floats;
+    for (const Crossing& crossing : fabric.crossings) {
+        if (fabric.points[static_cast<std::size_t>(crossing.over)].piece == Piece::Float &&
+            fabric.points[static_cast<std::size_t>(crossing.under)].piece == Piece::Float) {
+            floats.emplace(carrierOf(crossing.over), carrierOf(crossing.under));
+        }
+    }
+    EXPECT_THAT(floats, testing::UnorderedElementsAre(std::pair{0, 1}, std::pair{1, 2}));
+}
+
 TEST(Crossings, EveryCrossingIsOnePlaceOfTwoStrands) {
     const Fabric fabric = build(cable(2));
     for (std::size_t i = 0; i < fabric.crossings.size(); ++i) {
