@@ -38,7 +38,7 @@ struct BondingPoint {
     Role role = Role::Head;
     Side side = Side::Left; ///< of the loop, seen from the front
     /// Crossing: +1 this strand lies in front (nearer to a viewer of the front bed), -1 behind.
-    /// Foot and Head: 0, the order follows from the bed of the loop.
+    /// Foot and Head: 0, depth_order.h tells the order.
     std::int8_t front = 0;
     Piece piece = Piece::LeftLeg; ///< Crossing: on which it lies
     std::int32_t crossing = -1;   ///< index into Fabric::crossings, or -1
@@ -81,6 +81,11 @@ struct Loop {
     std::int32_t course = 0;
     Needle bound;         ///< needle on which the next loop came through it, or where it is at the end
     double boundRack = 0; ///< racking then
+    /// Its place in the stack of that needle: 0 lies nearest to the bed of the needle.
+    std::int32_t stackPlace = 0;
+    /// Its place among the yarns of its operation: 0 is the leading carrier, whose yarn lies on the technical
+    /// face (the side to which the loop is pulled), 1 the next one behind it, and so on.
+    std::int32_t plating = 0;
     enum class End : std::uint8_t { Bound, Held, Dropped } end = End::Held;
     bool crowded = false;  ///< it was made between loops of the other bed, a fraction of a pitch aside
     bool onNeedle = false; ///< hangs on a needle at the end; after a split a bound loop may still do so
@@ -104,6 +109,16 @@ struct Fabric {
     double courseMm = 0; ///< height of a course in machinePositions
 
     std::size_t pointCount() const { return points.size(); }
+
+    /// Loops drawn through a loop, from its feet upwards: one for each yarn of the operation that bound it.
+    /// Two operations bind a loop when the first one is a split: then it goes on to another needle.
+    std::span<const LoopIndex> drawnThrough(LoopIndex loop) const {
+        const auto first = static_cast<std::size_t>(firstThrough[static_cast<std::size_t>(loop)]);
+        const auto last = static_cast<std::size_t>(firstThrough[static_cast<std::size_t>(loop) + 1]);
+        return {through.data() + first, last - first};
+    }
+    std::vector<LoopIndex> through;
+    std::vector<std::int32_t> firstThrough; ///< by loop, into `through`
 
     /// Points that share an entry, in no particular order: pointsOfEntry[firstOfEntry[e] .. firstOfEntry[e +
     /// 1]).

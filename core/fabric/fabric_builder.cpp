@@ -9,6 +9,7 @@
 #include "core/fabric/yarn_threader.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace knittsim::fabric {
 
@@ -29,9 +30,22 @@ std::vector<Loop> fatesToLoops(const machine::LoopTable& made, const StrandTrack
     return loops;
 }
 
-void markHeld(const machine::MachineState& end, std::vector<Loop>& loops) {
+void numberStack(std::span<const LoopIndex> stack, std::vector<Loop>& loops) {
+    for (std::size_t k = 0; k < stack.size(); ++k) {
+        loops[static_cast<std::size_t>(stack[k])].stackPlace = static_cast<std::int32_t>(k);
+    }
+}
+
+void placeInStacks(const machine::LoopTable& made, const machine::MachineState& end,
+                   std::vector<Loop>& loops) {
+    for (std::size_t i = 0; i < made.loops.size(); ++i) {
+        const bool sameOperation = i > 0 && made.loops[i].operation == made.loops[i - 1].operation;
+        loops[i].plating = sameOperation ? loops[i - 1].plating + 1 : 0;
+        numberStack(made.parentsOf(static_cast<LoopIndex>(i)), loops);
+    }
     for (const machine::NeedleRow& row : end.beds) {
         for (std::int32_t needle = row.first(); needle < row.end(); ++needle) {
+            numberStack(row.at(needle), loops);
             for (const LoopIndex loop : row.at(needle)) {
                 Loop& held = loops[static_cast<std::size_t>(loop)];
                 held.onNeedle = true;
@@ -39,6 +53,26 @@ void markHeld(const machine::MachineState& end, std::vector<Loop>& loops) {
                     held.boundRack = end.rack;
                 }
             }
+        }
+    }
+}
+
+/// Loops are made in the order of time, so the lists are, too.
+void listDrawnThrough(Fabric& fabric) {
+    std::vector<std::int32_t>& first = fabric.firstThrough;
+    first.assign(fabric.loops.size() + 1, 0);
+    for (std::size_t i = 0; i < fabric.loops.size(); ++i) {
+        for (const LoopIndex parent : fabric.made.parentsOf(static_cast<LoopIndex>(i))) {
+            ++first[static_cast<std::size_t>(parent) + 1];
+        }
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    fabric.through.resize(static_cast<std::size_t>(first.back()));
+    std::vector<std::int32_t> next(first.begin(), first.end() - 1);
+    for (std::size_t i = 0; i < fabric.loops.size(); ++i) {
+        for (const LoopIndex parent : fabric.made.parentsOf(static_cast<LoopIndex>(i))) {
+            const auto slot = static_cast<std::size_t>(next[static_cast<std::size_t>(parent)]++);
+            fabric.through[slot] = static_cast<LoopIndex>(i);
         }
     }
 }
@@ -71,13 +105,15 @@ Fabric buildFabric(const machine::Timeline& timeline, OperationIndex count) {
     while (emulator.state().nextOperation < wanted) {
         emulator.step(&tracker);
     }
+    tracker.finish();
 
     Fabric fabric;
     fabric.pitchMm = timeline.profile().pitchMm();
     fabric.made = emulator.takeLoops();
     const CourseNumbers courses = numberCourses(timeline);
     fabric.loops = fatesToLoops(fabric.made, tracker, courses);
-    markHeld(emulator.state(), fabric.loops);
+    placeInStacks(fabric.made, emulator.state(), fabric.loops);
+    listDrawnThrough(fabric);
     for (const Loop& loop : fabric.loops) {
         fabric.courseCount = std::max(fabric.courseCount, loop.course + 1);
     }

@@ -20,6 +20,7 @@ public:
         float place = 0; ///< along the bed where a float meets the other strand, pitches
     };
 
+    /// `tracker` must outlive it.
     LegCrossings(const StrandTracker& tracker, std::size_t loopCount);
 
     static std::int32_t number(LoopIndex loop, Piece piece) {
@@ -28,18 +29,23 @@ public:
 
     const std::vector<Crossing>& all() const { return m_crossings; }
 
-    /// Crossings on a piece in the order of time: upwards on a leg, along the way of the yarn on a float.
+    /// Crossings on a piece in their order along it: upwards on a leg, along the way of the yarn on a float.
     std::span<const std::int32_t> on(LoopIndex loop, Piece piece) const {
         const auto p = static_cast<std::size_t>(number(loop, piece));
         return {m_onPiece.data() + m_first[p], static_cast<std::size_t>(m_first[p + 1] - m_first[p])};
     }
 
 private:
-    void add(const Passing& passing, LoopIndex over, LoopIndex under);
+    LoopIndex loopOf(Strand strand) const;
+    void add(const Passing& passing);
+    void list(Strand strand);
     void orderFloats();
+    void sortUnordered(Strand strand, std::vector<std::int32_t>& on) const;
 
+    const StrandTracker& m_tracker;
     std::vector<Crossing> m_crossings;
-    std::vector<std::int32_t> m_first; ///< by piece
+    std::vector<std::int32_t> m_firstOfPassing; ///< its first crossing, or -1
+    std::vector<std::int32_t> m_first;          ///< by piece
     std::vector<std::int32_t> m_onPiece;
 };
 

@@ -83,6 +83,8 @@ public:
         after.made = m_before.made;
         after.courseCount = m_before.courseCount;
         after.pitchMm = m_before.pitchMm;
+        after.through = m_before.through;
+        after.firstThrough = m_before.firstThrough;
         m_newPoint.assign(m_before.points.size(), -1);
         m_newEntry.assign(static_cast<std::size_t>(m_before.entryCount), -1);
         for (const Yarn& yarn : m_before.yarns) {

@@ -1,6 +1,7 @@
 #include "core/fabric/strand_tracker.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace knittsim::fabric {
@@ -9,20 +10,19 @@ using machine::Bed;
 
 namespace {
 
-std::uint64_t code(Strand strand) {
-    return static_cast<std::uint64_t>(strand.index) * 2 + (strand.kind == Strand::Kind::Float ? 1 : 0);
-}
-
-std::uint64_t pairCode(Strand a, Strand b) {
-    const auto [low, high] = std::minmax({code(a), code(b)});
-    return low << 32 | high;
+std::uint64_t code(PassingBook::Pair pair) {
+    return static_cast<std::uint64_t>(pair.over.index) << 32 | static_cast<std::uint32_t>(pair.under.index);
 }
 
 int signOf(double value) {
     return (value > 0) - (value < 0);
 }
 
-constexpr double kBeside = 0.45; ///< pitches
+bool isWhole(double place) {
+    return place == std::floor(place);
+}
+
+constexpr double kBeside = 0.45; ///< pitches from a needle to a yarn that waits there
 
 constexpr std::array kFrontBeds{Bed::Front, Bed::FrontSlider};
 constexpr std::array kRearBeds{Bed::Rear, Bed::RearSlider};
@@ -33,85 +33,87 @@ StrandTracker::StrandTracker(const machine::Emulator& emulator, const machine::P
     : m_emulator(emulator), m_program(program), m_yarns(program.header.carriers.size()) {}
 
 std::int32_t StrandTracker::openFloat() {
+    m_book.addFloat();
     m_loopAfter.push_back(-1);
     return static_cast<std::int32_t>(m_loopAfter.size()) - 1;
 }
 
-std::int32_t& StrandTracker::stay(Strand strand) {
-    return strand.kind == Strand::Kind::Loop ? m_stay[static_cast<std::size_t>(strand.index)] : m_floatStay;
-}
-
-void StrandTracker::countOpen(const Passing& passing, int change) {
-    for (const Strand strand : {passing.over, passing.under}) {
-        if (strand.kind == Strand::Kind::Loop) {
-            m_openPassings[static_cast<std::size_t>(strand.index)] += change;
-        }
-    }
-}
-
-void StrandTracker::pass(Strand over, Strand under, int sign, double place) {
-    const auto [latest, isNew] = m_last.try_emplace(pairCode(over, under), -1);
-    if (latest->second >= 0) {
-        Passing& last = m_passings[static_cast<std::size_t>(latest->second)];
-        if (last.over == over && last.sign == -sign && last.overStay == stay(over) &&
-            last.underStay == stay(under)) {
-            last.undone = true;
-            countOpen(last, -1);
-            latest->second = last.previous;
-            return;
-        }
-    }
-    m_passings.push_back({.over = over,
-                          .under = under,
-                          .operation = operation(),
-                          .sign = static_cast<std::int8_t>(sign),
-                          .place = static_cast<float>(place),
-                          .previous = latest->second,
-                          .overStay = stay(over),
-                          .underStay = stay(under)});
-    countOpen(m_passings.back(), +1);
-    latest->second = static_cast<std::int32_t>(m_passings.size()) - 1;
-}
-
 void StrandTracker::yarnMoved(CarrierIndex carrier, const machine::CarrierPlace* from,
                               const machine::CarrierPlace& to) {
-    Yarn& yarn = m_yarns[carrier];
+    applyRack();
     ++m_rank;
     const int side = sign(to.side);
     const Key target{to.pitches, side, side > 0 ? -m_rank : m_rank};
     if (from == nullptr) {
-        yarn = {.open = true, .key = target, .number = openFloat()};
+        m_yarns[carrier] = {.open = true, .key = target, .number = openFloat()};
+    } else {
+        m_ways.push_back({carrier, target});
+    }
+    const machine::CarrierSet& all = m_program.operations[static_cast<std::size_t>(operation())].carriers;
+    if (carrier != all[all.size() - 1]) {
         return;
     }
-    const int direction = target > yarn.key ? 1 : -1;
-    const Key low = std::min(yarn.key, target);
-    const Key high = std::max(yarn.key, target);
-    m_met.clear();
-    for (const Bed bed : kFrontBeds) {
-        collectLoops(bed, low, high, 0);
+    const auto startOf = [&](const Way& way) { return m_yarns[way.carrier].key; };
+    std::span<const Way> left = m_ways;
+    while (!left.empty()) {
+        const Key start = startOf(left[0]);
+        const auto end = std::ranges::find_if_not(left, [&](const Way& way) {
+            return startOf(way).x == start.x && startOf(way).side == start.side;
+        });
+        const auto count = static_cast<std::size_t>(end - left.begin());
+        moveYarns(left.first(count));
+        left = left.subspan(count);
     }
-    for (const Bed bed : kRearBeds) {
-        collectLoops(bed, low, high, m_emulator.state().rack);
+    m_ways.clear();
+}
+
+/// Yarns that start from the same place and go to the same place.
+void StrandTracker::moveYarns(std::span<const Way> together) {
+    Key low = together[0].to;
+    Key high = low;
+    for (const Way& way : together) {
+        const Key& start = m_yarns[way.carrier].key;
+        low = std::min({low, way.to, start});
+        high = std::max({high, way.to, start});
+    }
+    m_met.clear();
+    for (const auto& beds : {kFrontBeds, kRearBeds}) {
+        for (const Bed bed : beds) {
+            collectLoops(bed, low, high);
+        }
     }
     // Carriers of one operation run side by side and do not pass each other.
     collectYarns(low, high, m_program.operations[static_cast<std::size_t>(operation())].carriers);
+    const int direction = together[0].to > m_yarns[together[0].carrier].key ? 1 : -1;
     sortMet(direction);
-    for (const Met& met : m_met) {
-        passFloat(carrier, met, direction);
+    for (std::size_t i = 0; i < m_met.size();) {
+        m_pairs.clear();
+        const Key place = m_met[i].key;
+        for (; i < m_met.size() && m_met[i].key.x == place.x && m_met[i].key.side == place.side; ++i) {
+            pairYarns(together, m_met[i], direction);
+        }
+        m_book.pass(m_pairs, operation(), ++m_moment);
     }
-    yarn.key = target;
+    for (const Way& way : together) {
+        m_yarns[way.carrier].key = way.to;
+    }
 }
 
-void StrandTracker::collectLoops(Bed bed, const Key& low, const Key& high, double rack) {
+void StrandTracker::collectLoops(Bed bed, const Key& low, const Key& high) {
+    const double rack = machine::isFront(bed) ? 0 : m_emulator.state().rack;
     const auto first = static_cast<std::int32_t>(std::floor(low.x - rack));
     const auto last = static_cast<std::int32_t>(std::ceil(high.x - rack));
     const machine::NeedleRow& row = m_emulator.state().beds[static_cast<std::size_t>(bed)];
     for (std::int32_t i = std::max(first, row.first()); i <= std::min(last, row.end() - 1); ++i) {
-        const Key key{i + rack, 0, 0};
+        Key key{i + rack, 0, 0};
         if (!(low < key && key < high)) {
             continue;
         }
         for (const LoopIndex loop : row.at(i)) {
+            if (!machine::isFront(bed)) {
+                // Of two loops that face each other the rear one comes first if it came from the left.
+                key.rank = cameFromLeft(loop, key.x) ? -1 : 1;
+            }
             m_met.push_back({key, {Strand::Kind::Loop, loop}, machine::isFront(bed) ? 1 : -1, 0});
         }
     }
@@ -120,50 +122,53 @@ void StrandTracker::collectLoops(Bed bed, const Key& low, const Key& high, doubl
 void StrandTracker::collectYarns(const Key& low, const Key& high, const machine::CarrierSet& except) {
     for (std::size_t c = 0; c < m_yarns.size(); ++c) {
         const Yarn& yarn = m_yarns[c];
-        if (yarn.open && !except.contains(static_cast<CarrierIndex>(c)) && low < yarn.key &&
-            yarn.key < high) {
-            const int rail = m_program.header.carriers[c].rail;
-            m_met.push_back({yarn.key, {Strand::Kind::Float, yarn.number}, 0, rail});
+        const auto carrier = static_cast<CarrierIndex>(c);
+        if (yarn.open && !except.contains(carrier) && low < yarn.key && yarn.key < high) {
+            m_met.push_back({yarn.key, {Strand::Kind::Float, yarn.number}, 0, carrier});
         }
     }
 }
 
 void StrandTracker::sortMet(int direction) {
-    std::stable_sort(m_met.begin(), m_met.end(), [direction](const Met& a, const Met& b) {
+    std::ranges::stable_sort(m_met, [direction](const Met& a, const Met& b) {
         return direction > 0 ? a.key < b.key : b.key < a.key;
     });
 }
 
-/// A yarn stands beside its needle.
-double StrandTracker::placeOf(const Met& met) {
-    return met.key.x + kBeside * met.key.side;
+void StrandTracker::pairYarns(std::span<const Way> together, const Met& met, int direction) {
+    for (const Way& way : together) {
+        const bool inFront = isInFront(way.carrier, met);
+        const Yarn& yarn = m_yarns[way.carrier];
+        if (std::min(yarn.key, way.to) < met.key && met.key < std::max(yarn.key, way.to)) {
+            const Strand self{Strand::Kind::Float, yarn.number};
+            const double place = met.key.x + kBeside * met.key.side;
+            m_pairs.push_back(inFront ? PassingBook::Pair{self, met.strand, direction, place}
+                                      : PassingBook::Pair{met.strand, self, -direction, place});
+        }
+    }
 }
 
-void StrandTracker::passFloat(CarrierIndex moving, const Met& met, int direction) {
-    const Strand self{Strand::Kind::Float, m_yarns[moving].number};
-    const bool selfInFront =
-        met.layer < 0 || (met.layer == 0 && m_program.header.carriers[moving].rail <= met.rail);
-    if (selfInFront) {
-        pass(self, met.strand, direction, placeOf(met));
-    } else {
-        pass(met.strand, self, -direction, placeOf(met));
-    }
+bool StrandTracker::isInFront(CarrierIndex carrier, const Met& met) const {
+    const auto depth = [&](CarrierIndex c) { return std::pair{m_program.header.carriers[c].rail, c}; };
+    return met.layer < 0 || (met.layer == 0 && depth(carrier) < depth(met.carrier));
 }
 
 void StrandTracker::loopMade(LoopIndex loop) {
     const machine::Loop& made = m_emulator.loops().loops[static_cast<std::size_t>(loop)];
     Yarn& yarn = m_yarns[made.carrier];
     m_fates.push_back({made.needle, made.rack, Loop::End::Held, isCrowded(made.needle, made.rack)});
-    m_stay.push_back(++m_stayCount);
-    m_openPassings.push_back(0);
+    m_book.addLoop();
     for (const LoopIndex parent : m_emulator.loops().parentsOf(loop)) {
         Fate& fate = m_fates[static_cast<std::size_t>(parent)];
         fate.end = Loop::End::Bound;
         if (made.kind == machine::OperationKind::Knit) {
             fate.needle = made.needle;
             fate.rack = made.rack;
+        } else {
+            m_book.bar(parent);
         }
     }
+    inheritFacing(loop);
     m_loopAfter[static_cast<std::size_t>(yarn.number)] = loop;
     ++m_rank;
     const int side = sign(made.direction);
@@ -172,47 +177,35 @@ void StrandTracker::loopMade(LoopIndex loop) {
             .number = openFloat()};
 }
 
-void StrandTracker::loopsMoved(Needle from, Needle to, std::span<const LoopIndex> loops) {
-    const bool fromFront = machine::isFront(from.bed);
+void StrandTracker::loopsMoved(Needle, Needle to, std::span<const LoopIndex> loops) {
+    applyRack();
     for (const LoopIndex loop : loops) {
-        const auto i = static_cast<std::size_t>(loop);
-        m_fates[i].needle = to;
-        m_fates[i].rack = m_emulator.state().rack;
-        std::vector<Move>& moves = m_movesOf[loop];
-        if (!moves.empty() && moves.back().fromFront != fromFront &&
-            moves.back().openPassings == m_openPassings[i]) {
-            m_stay[i] = moves.back().stayBefore; // came back unchanged: as if it had never left
-            moves.pop_back();
-        } else {
-            moves.push_back({fromFront, m_stay[i], m_openPassings[i]});
-            m_stay[i] = ++m_stayCount;
-        }
+        Fate& fate = m_fates[static_cast<std::size_t>(loop)];
+        fate.needle = to;
+        fate.rack = m_emulator.state().rack;
     }
-    forgetFacing(from);
 }
 
 void StrandTracker::loopsDropped(Needle needle, std::span<const LoopIndex> loops) {
+    applyRack();
     for (const LoopIndex loop : loops) {
         Fate& fate = m_fates[static_cast<std::size_t>(loop)];
         fate.needle = needle;
         fate.rack = m_emulator.state().rack;
         fate.end = fate.end == Loop::End::Bound ? fate.end : Loop::End::Dropped;
     }
-    forgetFacing(needle);
 }
 
 void StrandTracker::yarnCut(CarrierIndex carrier) {
+    applyRack();
     m_yarns[carrier] = {};
 }
 
 bool StrandTracker::isCrowded(Needle needle, double rack) const {
     const bool front = machine::isFront(needle.bed);
     const double facing = front ? needle.index - rack : needle.index + rack;
-    if (facing == std::floor(facing)) {
-        return false; // face to face
-    }
-    return holdsLoop(!front, static_cast<std::int32_t>(std::floor(facing))) ||
-           holdsLoop(!front, static_cast<std::int32_t>(std::ceil(facing)));
+    return !isWhole(facing) && (holdsLoop(!front, static_cast<std::int32_t>(std::floor(facing))) ||
+                                holdsLoop(!front, static_cast<std::int32_t>(std::ceil(facing))));
 }
 
 bool StrandTracker::holdsLoop(bool front, std::int32_t index) const {
@@ -221,13 +214,16 @@ bool StrandTracker::holdsLoop(bool front, std::int32_t index) const {
     });
 }
 
-void StrandTracker::forgetFacing(Needle emptied) {
-    const double rear =
-        machine::isFront(emptied.bed) ? emptied.index - m_emulator.state().rack : emptied.index;
-    m_facingFrom.erase(static_cast<std::int32_t>(std::lround(rear)));
+void StrandTracker::racked(double from, double to) {
+    m_rackOperation = operation();
+    m_rackFrom = m_rackFrom.value_or(from);
+    m_rackTo = to;
 }
 
-void StrandTracker::racked(double from, double to) {
+void StrandTracker::applyRack() {
+    const double from = m_rackFrom.value_or(m_rackTo);
+    const double to = m_rackTo;
+    m_rackFrom.reset();
     if (from == to) {
         return;
     }
@@ -251,36 +247,132 @@ void StrandTracker::racked(double from, double to) {
 
 void StrandTracker::rackNeedle(std::int32_t rear, double from, double to) {
     const int direction = signOf(to - from);
-    const Key low{rear + std::min(from, to), 0, 0};
-    const Key high{rear + std::max(from, to), 0, 0};
+    const double start = rear + from;
+    const double end = rear + to;
+    if (isWhole(start) && holdsLoop(true, static_cast<std::int32_t>(start))) {
+        leaveFacing(rear, static_cast<std::int32_t>(start), direction);
+    }
+    const Key low{std::min(start, end), 0, 0};
+    const Key high{std::max(start, end), 0, 0};
     m_met.clear();
     for (const Bed bed : kFrontBeds) {
-        collectLoops(bed, low, high, 0);
-    }
-    if (const auto facing = m_facingFrom.find(rear); facing != m_facingFrom.end()) {
-        if (facing->second == -direction) {
-            const Key here{rear + from, 0, 0};
-            for (const Bed bed : kFrontBeds) {
-                collectLoops(bed, {here.x, -1, 0}, {here.x, 1, 0}, 0);
-            }
-        }
-        m_facingFrom.erase(facing);
+        collectLoops(bed, low, high);
     }
     collectYarns(low, high, {});
     sortMet(direction);
-    for (const Met& met : m_met) {
-        passRear(met, rear, direction);
+    for (std::size_t i = 0; i < m_met.size();) {
+        m_pairs.clear();
+        const Key place = m_met[i].key;
+        for (; i < m_met.size() && m_met[i].key == place; ++i) {
+            pairRear(m_met[i].strand, rear, direction, place.x + kBeside * place.side);
+        }
+        passRear();
     }
-    const double end = rear + to;
-    if (end == std::floor(end) && holdsLoop(true, static_cast<std::int32_t>(end))) {
-        m_facingFrom[rear] = -direction;
+    if (isWhole(end) && holdsLoop(true, static_cast<std::int32_t>(end))) {
+        comeToFace(rear, static_cast<std::int32_t>(end), direction);
     }
 }
 
-void StrandTracker::passRear(const Met& met, std::int32_t rear, int direction) {
+void StrandTracker::pairRear(Strand over, std::int32_t rear, int direction, double place) {
     for (const Bed bed : kRearBeds) {
         for (const LoopIndex loop : m_emulator.state().loopsOn({bed, rear})) {
-            pass(met.strand, {Strand::Kind::Loop, loop}, -direction, placeOf(met));
+            m_pairs.push_back({over, {Strand::Kind::Loop, loop}, -direction, place});
+        }
+    }
+}
+
+void StrandTracker::passRear() {
+    std::erase_if(m_pairs, [&](const PassingBook::Pair& pair) { return isFree(pair); });
+    m_book.pass(m_pairs, m_rackOperation, ++m_moment);
+}
+
+void StrandTracker::leaveFacing(std::int32_t rear, std::int32_t front, int direction) {
+    pairFacing(rear, front, direction);
+    std::erase_if(m_pairs, [&](PassingBook::Pair pair) {
+        const int side = cameFrom(pair);
+        if (side == 0) {
+            m_facedFromStart.insert(code(pair));
+        }
+        m_cameFrom.erase(code(pair));
+        return side != -direction;
+    });
+    passRear();
+}
+
+void StrandTracker::comeToFace(std::int32_t rear, std::int32_t front, int direction) {
+    pairFacing(rear, front, direction);
+    std::erase_if(m_pairs, [&](PassingBook::Pair pair) { return isFree(pair); });
+    for (const PassingBook::Pair& pair : m_pairs) {
+        m_cameFrom[code(pair)] = direction; // unless they have not passed before
+    }
+    for (const PassingBook::Pair& pair : m_book.undo(m_pairs)) {
+        m_cameFrom[code(pair)] = -direction;
+    }
+}
+
+bool StrandTracker::isFree(PassingBook::Pair pair) const {
+    return pair.over.kind == Strand::Kind::Loop && m_facedFromStart.contains(code(pair)) &&
+           !m_book.havePassed(pair.over, pair.under);
+}
+
+bool StrandTracker::cameFromLeft(LoopIndex rear, double place) const {
+    int side = 0;
+    if (!m_cameFrom.empty() && isWhole(place)) {
+        for (const Bed bed : kFrontBeds) {
+            for (const LoopIndex front :
+                 m_emulator.state().loopsOn({bed, static_cast<std::int32_t>(place)})) {
+                side += cameFrom({{Strand::Kind::Loop, front}, {Strand::Kind::Loop, rear}});
+            }
+        }
+    }
+    return side < 0;
+}
+
+int StrandTracker::cameFrom(PassingBook::Pair pair) const {
+    const auto found = m_cameFrom.find(code(pair));
+    return found == m_cameFrom.end() ? 0 : found->second;
+}
+
+/// A loop that is drawn through others faces what they face, and from the same side.
+void StrandTracker::inheritFacing(LoopIndex loop) {
+    const machine::Loop& made = m_emulator.loops().loops[static_cast<std::size_t>(loop)];
+    const double facing =
+        machine::isFront(made.needle.bed) ? made.needle.index - made.rack : made.needle.index + made.rack;
+    if (m_cameFrom.empty() || !isWhole(facing)) {
+        return;
+    }
+    for (const Bed bed : machine::isFront(made.needle.bed) ? kRearBeds : kFrontBeds) {
+        for (const LoopIndex other : m_emulator.state().loopsOn({bed, static_cast<std::int32_t>(facing)})) {
+            int side = 0;
+            for (const LoopIndex parent : m_emulator.loops().parentsOf(loop)) {
+                const PassingBook::Pair pair = facingPair(made, parent, other);
+                const int own = cameFrom(pair);
+                side = side == 0 ? own : side;
+                if (own == -side && own != 0) {
+                    // Where the parents differ, the others pass so that they all agree.
+                    m_pairs = {{pair.over, pair.under, -side}};
+                    m_book.pass(m_pairs, operation(), ++m_moment);
+                }
+            }
+            if (side != 0) {
+                m_cameFrom[code(facingPair(made, loop, other))] = side;
+            }
+        }
+    }
+}
+
+PassingBook::Pair StrandTracker::facingPair(const machine::Loop& made, LoopIndex own, LoopIndex other) const {
+    const Strand a{Strand::Kind::Loop, own};
+    const Strand b{Strand::Kind::Loop, other};
+    return machine::isFront(made.needle.bed) ? PassingBook::Pair{a, b} : PassingBook::Pair{b, a};
+}
+
+/// All pairs of loops of two needles that face each other.
+void StrandTracker::pairFacing(std::int32_t rear, std::int32_t front, int direction) {
+    m_pairs.clear();
+    for (const Bed bed : kFrontBeds) {
+        for (const LoopIndex over : m_emulator.state().loopsOn({bed, front})) {
+            pairRear({Strand::Kind::Loop, over}, rear, direction, front);
         }
     }
 }

@@ -1,55 +1,43 @@
 #pragma once
 
-#include "core/fabric/fabric.h"
+#include "core/fabric/passing_book.h"
 #include "core/machine/emulator.h"
 
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace knittsim::fabric {
-
-/// A strand that can pass others on the machine: the two legs of a held loop together, or the yarn between a
-/// carrier's last loop and its next one (a float, open until that loop is made).
-struct Strand {
-    enum class Kind : std::uint8_t { Loop, Float } kind = Kind::Loop;
-    std::int32_t index = 0; ///< LoopIndex, or number of the float
-
-    bool operator==(const Strand&) const = default;
-};
-
-/// Two strands passed each other. `over` lies nearer to the front bed.
-struct Passing {
-    Strand over;
-    Strand under;
-    OperationIndex operation = 0;
-    std::int8_t sign = 1; ///< +1: over went from left to right of under
-    bool undone = false;
-    float place = 0;            ///< along the bed, pitches
-    std::int32_t previous = -1; ///< the passing of the same two strands before this one
-    std::int32_t overStay = 0;  ///< see StrandTracker::m_stay
-    std::int32_t underStay = 0;
-};
 
 /// Listens to the machine and keeps the books of who passes whom and who is in front.
 ///
 /// The held loops and open floats are the strands of a braid that grows with time. Their order along the bed
 /// is known at every moment: front needle i stands at i, rear needle j at j + rack, a carrier just beside its
 /// needle. A strand on the front bed lies in front of a float, a float in front of a strand on the rear bed,
-/// floats among each other in the order of the carriers' rails. Two strands that change their order make a
-/// passing. Loops that face each other (same place, both beds) have not passed yet; whether they do shows
-/// when they part.
+/// floats among each other in the order of the carriers' rails (on one rail: of the carriers). Two strands
+/// that change their order make a passing; PassingBook undoes those that come to nothing. Formal background:
+/// Lin et al., "Semantics and Scheduling for Machine Knitting Compilers" (SIGGRAPH 2023).
 ///
-/// A passing back cancels the one before when neither strand has changed beds in between: then both passings
-/// lie between the same two layers, no third strand can lie between them, and the second Reidemeister move
-/// applies. Formal background: Lin et al., "Semantics and Scheduling for Machine Knitting Compilers"
-/// (SIGGRAPH 2023).
+/// Racks that follow each other without anything between them are one rack.
+///
+/// Loops that face each other (same place, both beds) have not passed yet. At rack 0.25 the rear loop stands
+/// to the right of the front loop with its number, and between racks 0 and 0.25 nothing passes. A rear loop
+/// that comes to face a front loop has passed it when it goes on, not when it goes back. Loops that faced
+/// each other from the beginning have no order, and none of their ways past each other counts: whichever way
+/// they end up is how they stood from the beginning.
 class StrandTracker : public machine::EmulationListener {
 public:
     /// `emulator` is the one that will be stepped; it must outlive the tracker.
     StrandTracker(const machine::Emulator& emulator, const machine::Program& program);
 
-    const std::vector<Passing>& passings() const { return m_passings; }
+    /// To be called after the last operation.
+    void finish() { applyRack(); }
+
+    const PassingBook& book() const { return m_book; }
+
+    std::int32_t floatCount() const { return static_cast<std::int32_t>(m_loopAfter.size()); }
 
     /// The loop a float leads to, or -1 when it never led to one.
     LoopIndex loopAfterFloat(std::int32_t number) const {
@@ -90,46 +78,55 @@ private:
         Key key;
         Strand strand;
         int layer; ///< +1 front bed, 0 between the beds, -1 rear bed
-        int rail;
+        CarrierIndex carrier;
     };
-    /// A loop that went to the other bed, so that coming back unchanged can be recognised.
-    struct Move {
-        bool fromFront;
-        std::int32_t stayBefore;
-        std::int32_t openPassings;
+    /// A carrier on its way to its next place.
+    struct Way {
+        CarrierIndex carrier;
+        Key to;
     };
 
-    void collectLoops(machine::Bed bed, const Key& low, const Key& high, double rack);
+    void moveYarns(std::span<const Way> together);
+    void collectLoops(machine::Bed bed, const Key& low, const Key& high);
     void collectYarns(const Key& low, const Key& high, const machine::CarrierSet& except);
     void sortMet(int direction);
-    void pass(Strand over, Strand under, int sign, double place);
-    static double placeOf(const Met& met);
-    void passFloat(CarrierIndex moving, const Met& met, int direction);
+    void pairYarns(std::span<const Way> together, const Met& met, int direction);
+    bool isInFront(CarrierIndex carrier, const Met& met) const;
+    void applyRack();
     void rackNeedle(std::int32_t rear, double from, double to);
-    void passRear(const Met& met, std::int32_t rear, int direction);
+    void pairRear(Strand over, std::int32_t rear, int direction, double place);
+    void passRear();
+    bool isFree(PassingBook::Pair pair) const;
+    void leaveFacing(std::int32_t rear, std::int32_t front, int direction);
+    void comeToFace(std::int32_t rear, std::int32_t front, int direction);
+    void pairFacing(std::int32_t rear, std::int32_t front, int direction);
     bool isCrowded(Needle needle, double rack) const;
     bool holdsLoop(bool front, std::int32_t index) const;
-    void forgetFacing(Needle emptied);
-    std::int32_t& stay(Strand strand);
-    void countOpen(const Passing& passing, int change);
+    void inheritFacing(LoopIndex loop);
+    bool cameFromLeft(LoopIndex rear, double place) const;
+    int cameFrom(PassingBook::Pair pair) const;
+    PassingBook::Pair facingPair(const machine::Loop& made, LoopIndex own, LoopIndex other) const;
     std::int32_t openFloat();
     OperationIndex operation() const { return m_emulator.state().nextOperation - 1; }
 
     const machine::Emulator& m_emulator;
     const machine::Program& m_program;
-    std::vector<Yarn> m_yarns; ///< by carrier
-    std::vector<Passing> m_passings;
-    std::unordered_map<std::uint64_t, std::int32_t> m_last; ///< latest valid passing of two strands
-    std::vector<LoopIndex> m_loopAfter;                     ///< by float
-    std::vector<Fate> m_fates;                              ///< by loop
-    std::vector<std::int32_t> m_stay;                       ///< by loop: number of its present stay on a bed
-    std::vector<std::int32_t> m_openPassings;               ///< by loop
-    std::unordered_map<LoopIndex, std::vector<Move>> m_movesOf;
-    std::unordered_map<std::int32_t, int> m_facingFrom; ///< rear needle -> side from which it came to face
+    PassingBook m_book;
+    std::vector<Yarn> m_yarns;          ///< by carrier
+    std::vector<LoopIndex> m_loopAfter; ///< by float
+    std::vector<Fate> m_fates;          ///< by loop
+    /// Pairs of loops that face each other: side from which the rear one came, -1 left, +1 right. None if
+    /// they face each other from the beginning.
+    std::unordered_map<std::uint64_t, int> m_cameFrom;
+    std::unordered_set<std::uint64_t> m_facedFromStart; ///< pairs of loops that parted later
+    std::vector<Way> m_ways;                            ///< of the carriers of the present operation
     std::vector<Met> m_met;
+    std::vector<PassingBook::Pair> m_pairs;
     std::int64_t m_rank = 0;
-    std::int32_t m_stayCount = 0;
-    std::int32_t m_floatStay = 0;
+    std::int32_t m_moment = 0;
+    std::optional<double> m_rackFrom; ///< of the racks since something else happened
+    double m_rackTo = 0;
+    OperationIndex m_rackOperation = 0;
 };
 
 } // namespace knittsim::fabric

@@ -327,16 +327,16 @@ private:
         return 0;
     }
 
-    /// Loops on one needle lie over each other: the first of the stack is nearest to the side that the next
-    /// loop is pulled to.
+    /// Loops on one needle lie over each other: the first of the stack is nearest to its bed.
     int stackOrder(machine::LoopIndex a, machine::LoopIndex b) const {
         const machine::LoopIndex next = m_next[static_cast<std::size_t>(a)];
         if (a == b || next < 0 || next != m_next[static_cast<std::size_t>(b)]) {
             return 0;
         }
-        const auto stack = m_fabric.made.parentsOf(next);
-        const bool aFirst = std::ranges::find(stack, a) < std::ranges::find(stack, b);
-        return aFirst ? pullSign(m_fabric, next) : -pullSign(m_fabric, next);
+        const fabric::Loop& first = m_fabric.loops[static_cast<std::size_t>(a)];
+        const fabric::Loop& second = m_fabric.loops[static_cast<std::size_t>(b)];
+        const int towardsBed = machine::isFront(first.bound.bed) ? 1 : -1;
+        return first.stackPlace < second.stackPlace ? towardsBed : -towardsBed;
     }
 
     /// +1 on the front bed, 0 between the beds, -1 on the rear bed.

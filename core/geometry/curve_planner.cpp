@@ -37,6 +37,7 @@ constexpr float kFloatDip = 0.5F;
 // rises.
 constexpr float kHeadGain = 0.38F;
 constexpr float kHeadMost = 0.66F;
+constexpr float kGapSinkerMost = 0.3F; ///< from bed to bed
 constexpr float kBellyGain = 0.30F;
 constexpr float kBellyMost = 0.25F;
 constexpr float kFloatGain = 0.25F;
@@ -315,7 +316,7 @@ void CurvePlanner::addSinker(const Station& a, const Station& b) {
                              .storedMm = stored(a),
                              .gain = kHeadGain,
                              .leastMm = kArcLeast * m_diameter,
-                             .mostRise = kHeadMost,
+                             .mostRise = acrossGap ? kGapSinkerMost : kHeadMost,
                              .alongSide = rise - 1,
                              .out = 0.5F * kDepthGain * (a.lower + b.lower)});
 }

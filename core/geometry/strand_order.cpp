@@ -1,5 +1,7 @@
 #include "core/geometry/strand_order.h"
 
+#include "core/fabric/depth_order.h"
+
 #include <algorithm>
 #include <array>
 
@@ -30,11 +32,11 @@ public:
 
     std::vector<StrandDepth> run() {
         for (EntryIndex entry = 0; entry < m_fabric.entryCount; ++entry) {
-            collect(entry);
-            if (m_crossing.empty()) {
-                orderBonding();
+            const auto points = m_fabric.at(entry);
+            if (!points.empty() && point(points[0]).role == Role::Crossing) {
+                orderCrossing(entry);
             } else {
-                orderCrossing();
+                orderBonding(entry);
             }
         }
         return std::move(m_depths);
@@ -48,72 +50,16 @@ private:
         return carrier < m_diameterMm.size() ? static_cast<float>(m_diameterMm[carrier]) : 0.3F;
     }
 
-    void collect(EntryIndex entry) {
-        m_heads.clear();
-        m_feet.clear();
-        m_crossing.clear();
-        for (const PointIndex p : m_fabric.at(entry)) {
-            switch (point(p).role) {
-            case Role::Head:
-                m_heads.push_back(p);
-                break;
-            case Role::Foot:
-                m_feet.push_back(p);
-                break;
-            case Role::Crossing:
-                m_crossing.push_back(p);
-                break;
-            }
+    void orderBonding(EntryIndex entry) {
+        for (const auto level : {fabric::ClaspLevel::Lower, fabric::ClaspLevel::Upper}) {
+            fabric::orderInDepth(m_fabric, entry, level, m_row);
+            spread(level == fabric::ClaspLevel::Upper);
         }
     }
 
-    void orderBonding() {
-        std::ranges::sort(m_feet, {}, [&](PointIndex p) { return point(p).loop; });
-        // Yarns knitted together keep their order from the feet to the heads.
-        if (!m_feet.empty() && pullSign(m_fabric, point(m_feet[0]).loop) > 0) {
-            std::ranges::reverse(m_feet);
-        }
-        const int sign = m_feet.empty() ? bedSignOfHeads() : pullSign(m_fabric, point(m_feet[0]).loop);
-        sortHeadsFromTheBack(sign);
-        for (const bool upper : {false, true}) {
-            m_row.clear();
-            appendFeet(upper ? -1 : +1);
-            m_row.insert(m_row.end(), m_heads.begin(), m_heads.end());
-            appendFeet(upper ? +1 : -1);
-            spread(upper);
-        }
-    }
-
-    int bedSignOfHeads() const {
-        if (m_heads.empty()) {
-            return 1;
-        }
-        const fabric::Loop& loop = m_fabric.loops[static_cast<std::size_t>(point(m_heads[0]).loop)];
-        return machine::isFront(loop.bound.bed) ? 1 : -1;
-    }
-
-    /// The loop deepest in the hook is the first of the stack and the one nearest to its bed.
-    void sortHeadsFromTheBack(int sign) {
-        const auto stack = m_feet.empty() ? std::span<const machine::LoopIndex>()
-                                          : m_fabric.made.parentsOf(point(m_feet[0]).loop);
-        const auto place = [&](PointIndex p) {
-            const auto found = std::ranges::find(stack, point(p).loop);
-            return found != stack.end() ? static_cast<int>(found - stack.begin()) : point(p).loop;
-        };
-        std::ranges::sort(m_heads,
-                          [&](PointIndex a, PointIndex b) { return sign * place(a) > sign * place(b); });
-    }
-
-    void appendFeet(int sign) {
-        for (const PointIndex p : m_feet) {
-            if (pullSign(m_fabric, point(p).loop) == sign) {
-                m_row.push_back(p);
-            }
-        }
-    }
-
-    void orderCrossing() {
-        m_row = m_crossing;
+    void orderCrossing(EntryIndex entry) {
+        const auto points = m_fabric.at(entry);
+        m_row.assign(points.begin(), points.end());
         std::ranges::sort(m_row, {}, [&](PointIndex p) { return point(p).front; });
         spread(false);
         spread(true);
@@ -141,7 +87,7 @@ private:
     const Fabric& m_fabric;
     std::span<const double> m_diameterMm;
     std::vector<StrandDepth> m_depths;
-    std::vector<PointIndex> m_heads, m_feet, m_crossing, m_row;
+    std::vector<PointIndex> m_row;
 };
 
 } // namespace

@@ -297,7 +297,8 @@ void Emulator::moveLoops(Needle from, Needle to, const CarrierSet& staying, Emul
     if (listener != nullptr && !source.empty()) {
         listener->loopsMoved(from, to, source);
     }
-    target.insert(target.end(), source.begin(), source.end());
+    // The loop nearest to its own bed is farthest from the other one.
+    target.insert(target.end(), source.rbegin(), source.rend());
     source.clear();
     for (std::size_t c = 0; c < m_state.carriers.size(); ++c) {
         CarrierState& state = m_state.carriers[c];

@@ -24,7 +24,7 @@ public:
     /// loopsMoved).
     virtual void loopMade(LoopIndex) {}
 
-    /// All loops of a needle move to another needle, on top of the loops there.
+    /// All loops of a needle move to another needle, on top of the loops there: the last of `loops` first.
     virtual void loopsMoved(Needle /*from*/, Needle /*to*/, std::span<const LoopIndex> /*loops*/) {}
 
     /// Loops fall off a needle with nothing through them.

@@ -34,7 +34,9 @@ struct CarrierState {
 /// Loops on the needles of one bed. Needles outside the stored range are empty.
 class NeedleRow {
 public:
-    /// Loops on a needle in the order they came there (first = deepest in the hook).
+    /// Loops on a needle in the order in which they lie on it: the first one nearest to the bed, the last one
+    /// nearest to the other bed. That is the order in which they came there, but a stack that is transferred
+    /// keeps its order in space and so lies the other way round on its new needle.
     std::span<const LoopIndex> at(std::int32_t index) const {
         const std::int64_t i = std::int64_t{index} - m_first;
         if (i < 0 || i >= static_cast<std::int64_t>(m_needles.size())) {

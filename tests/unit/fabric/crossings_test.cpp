@@ -131,7 +131,7 @@ TEST(Crossings, TheFrontRailLiesInFrontAtAnIntarsiaJoin) {
         return emulator.loops().loops[static_cast<std::size_t>(tracker.loopAfterFloat(strand.index))].carrier;
     };
     int floatsThatCross = 0;
-    for (const Passing& passing : tracker.passings()) {
+    for (const Passing& passing : tracker.book().passings()) {
         if (passing.over.kind == Strand::Kind::Float && passing.under.kind == Strand::Kind::Float) {
             EXPECT_EQ(carrierOf(passing.over), 0);
             EXPECT_EQ(carrierOf(passing.under), 2);
@@ -146,6 +146,23 @@ TEST(Crossings, PlatedYarnsRunSideBySide) {
     EXPECT_TRUE(build("in 1 2\n" + std::string("knit + f0 1 2\nknit + f1 1 2\nknit + f2 1 2\nknit - f2 1 2\n"
                                                "knit - f1 1 2\nknit - f0 1 2\n"))
                     .crossings.empty());
+}
+
+// Carriers 1 and 3 knit together; carrier 2, on the rail between theirs, stands in their way.
+TEST(Crossings, PlatedYarnsPassAnotherYarnEachOnItsRail) {
+    const Fabric fabric = build("in 1 3\nin 2\ntuck + f0 1 3\ntuck + f4 2\ntuck + f8 1 3\ntuck - f2 2\n");
+    const auto carrierOf = [&](PointIndex p) {
+        const LoopIndex loop = fabric.points[static_cast<std::size_t>(p)].loop;
+        return static_cast<int>(fabric.made.loops[static_cast<std::size_t>(loop)].carrier);
+    };
+    std::multiset<std::pair<int, int>> floats;
+    for (const Crossing& crossing : fabric.crossings) {
+        if (fabric.points[static_cast<std::size_t>(crossing.over)].piece == Piece::Float &&
+            fabric.points[static_cast<std::size_t>(crossing.under)].piece == Piece::Float) {
+            floats.emplace(carrierOf(crossing.over), carrierOf(crossing.under));
+        }
+    }
+    EXPECT_THAT(floats, testing::UnorderedElementsAre(std::pair{0, 1}, std::pair{1, 2}));
 }
 
 TEST(Crossings, EveryCrossingIsOnePlaceOfTwoStrands) {

@@ -46,6 +46,15 @@ TEST(Emulator, TransferStacksOnTopOfTheLoopsThere) {
     EXPECT_THAT(state.loopsOn(b(0)), ElementsAre(1, 0));
 }
 
+// The loop nearest to the bed that gives lies farthest from the bed that takes.
+TEST(Emulator, ATransferredStackKeepsItsOrderInSpace) {
+    const std::string stack = "in 1\nknit + f0 1\ntuck - f0 1\ntuck + f0 1\n";
+    EXPECT_THAT(run(stack).loopsOn(f(0)), ElementsAre(0, 1, 2));
+    EXPECT_THAT(run(stack + "xfer f0 b0\n").loopsOn(b(0)), ElementsAre(2, 1, 0));
+    EXPECT_THAT(run(stack + "xfer f0 b0\nxfer b0 f0\n").loopsOn(f(0)), ElementsAre(0, 1, 2));
+    EXPECT_THAT(run(stack + "tuck - b0 1\nxfer f0 b0\n").loopsOn(b(0)), ElementsAre(3, 2, 1, 0));
+}
+
 TEST(Emulator, RearNeedleFacesItsNumberPlusRack) {
     // FORMATS of knitout: at racking 2, f3 faces b1.
     EXPECT_THAT(run("in 1\nknit + f3 1\nrack 2\nxfer f3 b1\n").loopsOn(b(1)), ElementsAre(0));

@@ -1,0 +1,209 @@
+#include "core/fabric/passing_book.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <ranges>
+
+namespace knittsim::fabric {
+
+namespace {
+
+using List = std::vector<std::int32_t>;
+
+/// Number of entries behind `number`, looked for among the last ones only.
+std::optional<std::size_t> countAfter(const List& on, std::int32_t number) {
+    const std::size_t reach = std::min(on.size(), PassingBook::kReach + 1);
+    for (std::size_t after = 0; after < reach; ++after) {
+        if (on[on.size() - 1 - after] == number) {
+            return after;
+        }
+    }
+    return std::nullopt;
+}
+
+std::span<const std::int32_t> lastOf(const List& on, std::size_t count) {
+    return std::span(on).last(count);
+}
+
+/// +1 when `strand` moved to the right past the other one.
+int directionOf(Strand strand, const Passing& passing) {
+    return strand == passing.over ? passing.sign : -passing.sign;
+}
+
+} // namespace
+
+PassingBook::List& PassingBook::list(Strand strand) {
+    const auto i = static_cast<std::size_t>(strand.index);
+    return strand.kind == Strand::Kind::Loop ? m_onLoop[i] : m_onFloat[i];
+}
+
+void PassingBook::pass(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment) {
+    for (const Pair& pair : undo(pairs)) {
+        const auto number = static_cast<std::int32_t>(m_passings.size());
+        m_passings.push_back({.over = pair.over,
+                              .under = pair.under,
+                              .operation = operation,
+                              .sign = static_cast<std::int8_t>(pair.sign),
+                              .place = static_cast<float>(pair.place),
+                              .moment = moment});
+        list(pair.over).push_back(number);
+        list(pair.under).push_back(number);
+    }
+}
+
+/// One pair may lie in the way of another, so it goes on until nothing changes.
+std::span<const PassingBook::Pair> PassingBook::undo(std::span<const Pair> pairs) {
+    m_pending.assign(pairs.begin(), pairs.end());
+    std::size_t before = m_pending.size() + 1;
+    while (m_pending.size() < before) {
+        before = m_pending.size();
+        std::erase_if(m_pending, [&](const Pair& pair) { return tryUndo(pair); });
+    }
+    return m_pending;
+}
+
+bool PassingBook::tryUndo(const Pair& pair) {
+    const std::int32_t number = findLast(pair.over, pair.under);
+    if (number < 0) {
+        return false;
+    }
+    const Passing last = at(number);
+    if (!(last.over == pair.over) || last.sign != -pair.sign || !collectGap(last.over, number, m_gapOver) ||
+        !collectGap(last.under, number, m_gapUnder) || m_gapOver.size() != m_gapUnder.size()) {
+        return false;
+    }
+    const std::optional<Strand> slider = findSlider(last);
+    if (!slider && !m_gapOver.empty()) {
+        return false;
+    }
+    for (const Strand strand : {last.over, last.under}) {
+        List& passings = list(strand);
+        passings.erase(passings.end() - 1 - static_cast<std::ptrdiff_t>(*countAfter(passings, number)));
+    }
+    if (slider) {
+        slide(*slider, last.other(*slider));
+    }
+    m_passings[static_cast<std::size_t>(number)].undone = true;
+    return true;
+}
+
+/// The latest passing of the two strands, or -1.
+std::int32_t PassingBook::findLast(Strand a, Strand b) const {
+    const bool aIsShorter = on(a).size() <= on(b).size();
+    const Strand shorter = aIsShorter ? a : b;
+    const Strand longer = aIsShorter ? b : a;
+    const List& passings = on(shorter);
+    const std::size_t reach = std::min(passings.size(), kReach + 1);
+    for (const std::int32_t number : lastOf(passings, reach) | std::views::reverse) {
+        if (number != kBar && at(number).other(shorter) == longer) {
+            return number;
+        }
+    }
+    return -1;
+}
+
+/// The passings on a strand after `number`, but for those right behind it of the same moment. False when they
+/// are too many or barred.
+bool PassingBook::collectGap(Strand strand, std::int32_t number, List& gap) const {
+    const List& passings = on(strand);
+    const auto after = countAfter(passings, number);
+    if (!after) {
+        return false;
+    }
+    const auto rest = lastOf(passings, *after);
+    const auto begin =
+        std::ranges::find_if_not(rest, [&](std::int32_t n) { return areUnordered(strand, number, n); });
+    gap.assign(begin, rest.end());
+    return std::ranges::find(gap, kBar) == gap.end();
+}
+
+/// One of the two strands of `passing` that can be slid across all that lies in the gap above it.
+std::optional<Strand> PassingBook::findSlider(const Passing& passing) const {
+    if (m_gapOver.empty()) {
+        return std::nullopt;
+    }
+    for (const std::int32_t number : m_gapOver) {
+        if (!runsThrough(passing, at(number).other(passing.over))) {
+            return std::nullopt;
+        }
+    }
+    for (const std::int32_t number : m_gapUnder) {
+        const auto isSame = [&](std::int32_t n) {
+            return at(n).other(passing.over) == at(number).other(passing.under);
+        };
+        if (std::ranges::count_if(m_gapOver, isSame) != 1) {
+            return std::nullopt;
+        }
+    }
+    if (canSlide(passing.over, m_gapOver)) {
+        return passing.over;
+    }
+    if (canSlide(passing.under, m_gapUnder)) {
+        return passing.under;
+    }
+    return std::nullopt;
+}
+
+/// `strand` comes into the gap past one of the two and leaves it past the other one.
+bool PassingBook::runsThrough(const Passing& passing, Strand strand) const {
+    const std::int32_t past = findLast(passing.over, strand);
+    const std::int32_t pastUnder = findLast(passing.under, strand);
+    if (past < 0 || pastUnder < 0 || directionOf(strand, at(past)) != directionOf(strand, at(pastUnder))) {
+        return false;
+    }
+    if (at(past).over == strand && at(pastUnder).under == strand) {
+        return false; // in front of the front one and behind the rear one
+    }
+    // The one that has gone to the right lies on the right hand side of the gap.
+    const auto afterOver = countAfter(on(strand), past);
+    const auto afterUnder = countAfter(on(strand), pastUnder);
+    const bool underFirst = (directionOf(strand, at(past)) > 0) == (passing.sign > 0);
+    return afterOver && afterUnder && (*afterUnder > *afterOver) == underFirst;
+}
+
+bool PassingBook::canSlide(Strand slider, const List& gap) const {
+    const bool inFront = at(gap[0]).over == slider;
+    return std::ranges::all_of(gap, [&](std::int32_t n) { return (at(n).over == slider) == inFront; });
+}
+
+bool PassingBook::areUnordered(Strand strand, std::int32_t a, std::int32_t b) const {
+    return a != kBar && b != kBar && at(a).moment == at(b).moment &&
+           findLast(at(a).other(strand), at(b).other(strand)) < 0;
+}
+
+/// Puts `moved` right behind `other` if it came before, right before it if it came behind. Passings without
+/// an order do not lie between the two.
+void PassingBook::swapOrder(Strand strand, std::int32_t moved, std::int32_t other) {
+    List& passings = list(strand);
+    const auto near = passings.end() - static_cast<std::ptrdiff_t>(std::min(passings.size(), kReach + 1));
+    auto first = std::find_if(near, passings.end(), [&](auto n) { return n == moved || n == other; });
+    auto second = std::find_if(first + 1, passings.end(), [&](auto n) { return n == moved || n == other; });
+    for (; first + 1 != second && areUnordered(strand, first[0], first[1]); ++first) {
+        std::iter_swap(first, first + 1);
+    }
+    for (; second - 1 != first && areUnordered(strand, second[0], second[-1]); --second) {
+        std::iter_swap(second, second - 1);
+    }
+    if (*first == moved) {
+        std::rotate(first, first + 1, second + 1);
+    } else {
+        std::rotate(first, second, second + 1);
+    }
+}
+
+/// The last passings of `slider` are those in the gap. Moves them to the other side of `fixed`.
+void PassingBook::slide(Strand slider, Strand fixed) {
+    List& onSlider = list(slider);
+    auto next = onSlider.end() - static_cast<std::ptrdiff_t>(m_gapOver.size());
+    for (const std::int32_t pastFixed : lastOf(on(fixed), m_gapOver.size())) {
+        const Strand strand = at(pastFixed).other(fixed);
+        const auto found =
+            std::find_if(next, onSlider.end(), [&](auto n) { return at(n).other(slider) == strand; });
+        std::iter_swap(next, found);
+        swapOrder(strand, *next, pastFixed);
+        ++next;
+    }
+}
+
+} // namespace knittsim::fabric

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "core/fabric/strand.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace knittsim::fabric {
+
+/// The passings of all strands, and for every strand those that lie on it, from its feet upwards (a float:
+/// along its way).
+///
+/// A passing is undone by the opposite passing of the same two strands with the same one in front when
+///  - nothing lies on either strand in between: the second Reidemeister move; or
+///  - just the same strands lie in between on both, each running through the gap between the two, and one of
+///    the two passes in front of all of them or behind all of them. It is slid across them (third move) to
+///    the other strand, and then the second move applies.
+/// Both moves change the diagram of crossings and not the fabric, whatever the machine did in between.
+///
+/// What is not recognised: a strand that could slide past a place where a loop is drawn through another one
+/// (whether it can depends on where all the yarns there go), gaps with more than kReach strands in them, and
+/// chains of third moves that only together make room for a second one. Then the crossings stay: they are
+/// right, but there are more of them than need be. Telling in general whether two diagrams show the same
+/// fabric is a problem of knot theory that no local rule decides.
+class PassingBook {
+public:
+    static constexpr std::size_t kReach = 32;
+
+    void addLoop() { m_onLoop.emplace_back(); }
+    void addFloat() { m_onFloat.emplace_back(); }
+
+    /// Nothing slides past here: a loop was drawn through this one, which goes on to another needle.
+    void bar(LoopIndex loop) { m_onLoop[static_cast<std::size_t>(loop)].push_back(kBar); }
+
+    /// Two strands that pass each other; `sign` as in Passing.
+    struct Pair {
+        Strand over;
+        Strand under;
+        int sign = 1;
+        double place = 0; ///< as in Passing
+    };
+
+    /// These pairs pass each other at one moment: those that passed before the other way undo that, the
+    /// others make new passings. `moment` as in Passing.
+    void pass(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment);
+
+    /// Undoes earlier passings only. Returns the pairs that found none; valid until the next call.
+    std::span<const Pair> undo(std::span<const Pair> pairs);
+
+    /// The two have passed each other lately, and that is not undone.
+    bool havePassed(Strand a, Strand b) const { return findLast(a, b) >= 0; }
+
+    const std::vector<Passing>& passings() const { return m_passings; }
+
+    /// Indices of the passings on a strand that are not undone, and kBar.
+    const std::vector<std::int32_t>& on(Strand strand) const {
+        const auto i = static_cast<std::size_t>(strand.index);
+        return strand.kind == Strand::Kind::Loop ? m_onLoop[i] : m_onFloat[i];
+    }
+
+    static constexpr std::int32_t kBar = -1;
+
+    /// Two passings on a strand that follow each other but might as well stand the other way round: of one
+    /// moment, with strands that have not passed each other.
+    bool areUnordered(Strand strand, std::int32_t a, std::int32_t b) const;
+
+private:
+    using List = std::vector<std::int32_t>;
+
+    List& list(Strand strand);
+    bool tryUndo(const Pair& pair);
+    std::int32_t findLast(Strand a, Strand b) const;
+    bool collectGap(Strand strand, std::int32_t number, List& gap) const;
+    std::optional<Strand> findSlider(const Passing& passing) const;
+    bool runsThrough(const Passing& passing, Strand strand) const;
+    bool canSlide(Strand slider, const List& gap) const;
+    void slide(Strand slider, Strand fixed);
+    void swapOrder(Strand strand, std::int32_t moved, std::int32_t other);
+
+    const Passing& at(std::int32_t number) const { return m_passings[static_cast<std::size_t>(number)]; }
+
+    std::vector<Passing> m_passings;
+    std::vector<List> m_onLoop;
+    std::vector<List> m_onFloat;
+    std::vector<Pair> m_pending;
+    List m_gapOver; ///< passings on either strand in the gap that is to be closed
+    List m_gapUnder;
+};
+
+} // namespace knittsim::fabric

@@ -1,0 +1,202 @@
+// What must hold for every valid program. A failure shows the smallest program that fails.
+
+#include "core/fabric/fabric_builder.h"
+#include "core/formats/knitout/writer.h"
+#include "tests/support/build.h"
+#include "tests/support/fabric_form.h"
+#include "tests/support/for_random_programs.h"
+#include "tests/support/rewrite_program.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace knittsim::fabric {
+namespace {
+
+using machine::OperationKind;
+using machine::Program;
+using test::FabricForm;
+using test::formOf;
+using test::forRandomPrograms;
+
+constexpr int kPrograms = 100;
+
+Fabric knitted(const Program& program) {
+    return buildFabric(machine::Timeline(program, machine::genericProfile()));
+}
+
+/// Of diagrams that differ by third Reidemeister moves the books keep any one.
+FabricForm form(const Program& program) {
+    return withSortedCrossings(formOf(knitted(program)));
+}
+
+/// The program with something in it that does nothing makes the same fabric, wherever it is put in. Small
+/// programs are tried more often, so that shrinking finds the place again. Transfers and misses between two
+/// racks part these, and then the books may keep a pair of opposite crossings where a whole stack lies in the
+/// way (one program in a thousand): such pairs are left out there.
+test::Property unchangedBy(test::Nothing nothing) {
+    return [nothing](const Program& program) {
+        const FabricForm plain = form(program);
+        const std::uint32_t tries = program.operations.size() < 50 ? 200 : 8;
+        for (std::uint32_t seed = 0; seed < tries; ++seed) {
+            const Program changed = test::with(nothing, program, seed);
+            const std::string failure =
+                nothing == test::Nothing::TransferThereAndBack || nothing == test::Nothing::MissThereAndBack
+                    ? difference(withoutOpposites(plain), withoutOpposites(form(changed)))
+                    : difference(plain, form(changed));
+            if (!failure.empty()) {
+                return failure + "\nWith:\n" + formats::knitout::write(changed);
+            }
+        }
+        return std::string();
+    };
+}
+
+TEST(Invariants, ARackThereAndBackIsNothing) {
+    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::RackThereAndBack));
+}
+
+TEST(Invariants, ARackInStepsIsTheRack) {
+    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::RackInSteps));
+}
+
+TEST(Invariants, ATransferThereAndBackIsNothing) {
+    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::TransferThereAndBack));
+}
+
+TEST(Invariants, AMissThereAndBackIsNothing) {
+    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::MissThereAndBack));
+}
+
+TEST(Invariants, ADropOfAnEmptyNeedleIsNothing) {
+    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::DropOfNothing));
+}
+
+TEST(Invariants, TheOrderOfIndependentOperationsDoesNotMatter) {
+    forRandomPrograms(kPrograms, {.operations = 150}, [](const Program& program) {
+        return difference(form(program), form(test::withSwaps(program, 300, 7)));
+    });
+}
+
+/// One course on both beds, the carriers taken out, and the transfers, racks and drops of `program`: no yarn
+/// hangs in the way.
+Program onlyLoops(const Program& program) {
+    Program loops = test::program("in 1\nin 2\n" + test::pass("tuck", 'f', -4, 7, 1, 2) +
+                                  test::pass("tuck", 'b', 7, -4, 2, 3) + "out 1\nout 2\n");
+    for (const machine::Operation& op : program.operations) {
+        if (op.kind == OperationKind::Rack || op.kind == OperationKind::Xfer ||
+            op.kind == OperationKind::Drop) {
+            loops.operations.push_back(op);
+        }
+    }
+    return loops;
+}
+
+TEST(Invariants, MirroredTransfersMakeTheMirroredFabric) {
+    forRandomPrograms(kPrograms, {.operations = 600}, [](const Program& program) {
+        const Program loops = onlyLoops(program);
+        return difference(withSortedCrossings(mirrored(form(loops))), form(test::mirrored(loops)));
+    });
+}
+
+TEST(Invariants, TurnedTransfersMakeTheFabricSeenFromTheBack) {
+    forRandomPrograms(kPrograms, {.operations = 600}, [](const Program& program) {
+        const Program loops = onlyLoops(program);
+        return difference(withSortedCrossings(turnedOver(form(loops))), form(test::turnedOver(loops)));
+    });
+}
+
+/// With yarns in the way the books of the mirror image may keep a pair of opposite crossings more or less: of
+/// loops that face each other they have to choose one to stand on the left.
+TEST(Invariants, AMirroredProgramMakesTheMirroredFabric) {
+    forRandomPrograms(kPrograms, {.operations = 150}, [](const Program& program) {
+        const auto net = [](const FabricForm& all) { return withSortedCrossings(withoutOpposites(all)); };
+        return difference(net(mirrored(form(program))), net(form(test::mirrored(program))));
+    });
+}
+
+/// Without racking: carriers rest with respect to the front bed while the rear bed racks, so that seen from
+/// behind their yarns pass other loops on the way.
+TEST(Invariants, TheTurnedProgramMakesTheFabricSeenFromTheBack) {
+    forRandomPrograms(kPrograms, {.operations = 150, .maxRack = 0, .quarterRacks = false},
+                      [](const Program& program) {
+                          return difference(withSortedCrossings(turnedOver(form(program))),
+                                            form(test::turnedOver(program)));
+                      });
+}
+
+TEST(Invariants, LoopsAreConserved) {
+    forRandomPrograms(kPrograms, {.operations = 300}, [](const Program& program) -> std::string {
+        const machine::Timeline timeline(program, machine::genericProfile());
+        const Fabric fabric = buildFabric(timeline);
+        std::vector<int> places(fabric.loops.size(), 0);
+        for (const auto& row : timeline.finalState().beds) {
+            for (std::int32_t needle = row.first(); needle < row.end(); ++needle) {
+                for (const LoopIndex loop : row.at(needle)) {
+                    ++places[static_cast<std::size_t>(loop)];
+                }
+            }
+        }
+        for (std::size_t i = 0; i < fabric.loops.size(); ++i) {
+            const auto index = static_cast<LoopIndex>(i);
+            const Loop& loop = fabric.loops[i];
+            const bool held = places[i] == 1;
+            const bool bound = !fabric.drawnThrough(index).empty();
+            const bool dropped = loop.end == Loop::End::Dropped;
+            if (places[i] > 1 || held != loop.onNeedle || bound != (loop.end == Loop::End::Bound) ||
+                (!held && !bound && !dropped) || (held && dropped)) {
+                return "loop " + std::to_string(i) + " is lost or in two places";
+            }
+            for (const LoopIndex child : fabric.drawnThrough(index)) {
+                if (std::ranges::count(fabric.made.parentsOf(child), index) != 1) {
+                    return "loop " + std::to_string(child) + " is not drawn through its parent once";
+                }
+            }
+        }
+        return {};
+    });
+}
+
+/// All yarn that the machine fed lies in the fabric, but for the one loose leg at either end of a yarn.
+TEST(Invariants, YarnIsConserved) {
+    forRandomPrograms(kPrograms, {.operations = 300}, [](const Program& program) -> std::string {
+        const Fabric fabric = knitted(program);
+        for (const Yarn& yarn : fabric.yarns) {
+            const auto first = fabric.lengths.begin() + yarn.first;
+            const double sum = std::accumulate(first, first + yarn.count, 0.0);
+            double longest = 0;
+            for (const machine::Loop& loop : fabric.made.loops) {
+                longest = std::max(longest, loop.lengthMm);
+            }
+            if (yarn.lengthMm < sum - 1e-9 || yarn.lengthMm - sum > 2 * kLegShare * longest + 1e-9 ||
+                std::any_of(first, first + yarn.count, [](double length) { return length < 0; })) {
+                return "yarn of carrier " + std::to_string(yarn.carrier + 1) + ": " +
+                       std::to_string(yarn.lengthMm) + " mm fed, " + std::to_string(sum) + " mm laid";
+            }
+        }
+        return {};
+    });
+}
+
+TEST(Invariants, EveryCrossingIsOnePlaceOfTwoStrands) {
+    forRandomPrograms(kPrograms, {.operations = 300}, [](const Program& program) -> std::string {
+        const Fabric fabric = knitted(program);
+        for (std::size_t i = 0; i < fabric.crossings.size(); ++i) {
+            const Crossing& crossing = fabric.crossings[i];
+            const BondingPoint& over = fabric.points[static_cast<std::size_t>(crossing.over)];
+            const BondingPoint& under = fabric.points[static_cast<std::size_t>(crossing.under)];
+            const auto number = static_cast<std::int32_t>(i);
+            if (over.entry != under.entry || over.crossing != number || under.crossing != number ||
+                over.front != 1 || under.front != -1 || crossing.over == crossing.under ||
+                fabric.at(over.entry).size() != 2) {
+                return "crossing " + std::to_string(i);
+            }
+        }
+        return {};
+    });
+}
+
+} // namespace
+} // namespace knittsim::fabric
