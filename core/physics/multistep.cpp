@@ -136,10 +136,14 @@ int Multistep::solve(double gamma, Eigen::Ref<const Vector> r, Eigen::Ref<Vector
 }
 
 int Multistep::reset(double scaledTime, N_Vector y) {
-    // A multistep method that forgets its past starts with tiny steps again; a slightly old H does less harm.
-    (void)scaledTime;
-    (void)y;
-    return CV_SUCCESS;
+    // BDF that forgets its past starts with tiny steps again; a slightly old H does less harm. Adams would be
+    // kept swinging for ever by the jumps of the damping.
+    if (m_method == Method::Bdf) {
+        return CV_SUCCESS;
+    }
+    const double step = lastStep();
+    const int flag = CVodeReInit(m_memory, scaledTime, y);
+    return flag == CV_SUCCESS && step > 0 ? CVodeSetInitStep(m_memory, step) : flag;
 }
 
 int Multistep::advance(N_Vector y, double& scaledTime) {
