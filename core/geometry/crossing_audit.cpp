@@ -257,15 +257,21 @@ private:
     /// found on the pieces beside.
     void matchBeside() {
         std::ranges::sort(m_further, {}, [](const Event* e) { return e->over; });
-        for (const Event* wanted : m_missing) {
-            const auto match = findFurther(wanted->over, wanted->under, yarnSign(*wanted));
-            if (match != m_further.end()) {
+        // The nearest first: a float meets legs of both beds at one needle.
+        for (const PointIndex reach : {1, 3}) {
+            std::erase_if(m_missing, [&](const Event* wanted) {
+                const auto match = findFurther(wanted->over, wanted->under, yarnSign(*wanted), reach);
+                if (match == m_further.end()) {
+                    return false;
+                }
                 ++m_audit.found;
                 m_further.erase(match);
-                continue;
-            }
+                return true;
+            });
+        }
+        for (const Event* wanted : m_missing) {
             m_audit.faults.push_back({CrossingFault::Kind::Missing, wanted->a, wanted->b, wanted->node});
-            const auto swapped = findFurther(wanted->under, wanted->over, -yarnSign(*wanted));
+            const auto swapped = findFurther(wanted->under, wanted->over, -yarnSign(*wanted), 1);
             if (swapped != m_further.end()) {
                 m_audit.order[(*swapped)->index] = -1;
                 m_further.erase(swapped);
@@ -273,10 +279,13 @@ private:
         }
     }
 
-    /// A crossing on these pieces, or next to these bonding points, that no other explains.
-    std::vector<const Event*>::iterator findFurther(PointIndex over, PointIndex under, int sign) {
+    /// A crossing that no other explains, on these pieces, or within `reach` bonding points: of points of a
+    /// float, else next to them.
+    std::vector<const Event*>::iterator findFurther(PointIndex over, PointIndex under, int sign,
+                                                    PointIndex reach) {
         const auto near = [&](PointIndex found, PointIndex wanted) {
-            return std::abs(found - wanted) <= 1 || pieceOf(found) == pieceOf(wanted);
+            const bool onFloat = point(wanted).role == Role::Crossing && point(wanted).piece == Piece::Float;
+            return std::abs(found - wanted) <= (onFloat ? reach : 1) || pieceOf(found) == pieceOf(wanted);
         };
         const auto place = [](const Event* e) { return e->over; };
         auto it = std::ranges::lower_bound(m_further, over - kPointsOnPiece, {}, place);

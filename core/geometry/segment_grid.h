@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -35,8 +34,7 @@ public:
         std::ranges::sort(m_members);
     }
 
-    /// Calls `visit(a, b)` with a < b once for every cell that the boxes a and b share; `inCell(a, b)` is
-    /// given as (x, y) of that cell by `firstShared`.
+    /// Calls `visit(a, b)` once for every two boxes that share a cell.
     template<class Visit> void forEachPair(std::span<const Box> boxes, const Visit& visit) const {
         for (std::size_t first = 0; first < m_members.size();) {
             std::size_t last = first + 1;
