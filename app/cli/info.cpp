@@ -64,11 +64,11 @@ nlohmann::ordered_json summarise(const machine::Timeline& timeline, const fabric
             {"problems", timeline.diagnostics().size()}};
 }
 
-/// How exact the yarn curves are on the machine; the yarns are those of `relax`.
+/// How exact the yarn curves are on the machine, drawn as thin as the hard cores of the yarns of `relax`.
 nlohmann::ordered_json inspect(const Loaded& loaded) {
     std::vector<double> diameters;
     for (const yarn::Yarn& yarn : loaded.yarns) {
-        diameters.push_back(yarn.outerDiameterMm);
+        diameters.push_back(yarn.coreDiameterMm);
     }
     const geometry::YarnCurves curves = geometry::buildMachineCurves(*loaded.fabric, diameters);
     const geometry::CurveReport report = geometry::inspectCurves(*loaded.fabric, curves, diameters);

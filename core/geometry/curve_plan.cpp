@@ -99,6 +99,7 @@ void CurvePlan::fitArcs(const FrameField& frames, std::span<const float> lengthM
     for (Arc& arc : m_arcs) {
         const auto point = static_cast<std::size_t>(m_pointOfControl[static_cast<std::size_t>(arc.control)]);
         const float slackMm = slack(frames, arc);
+        arc.mostRise = std::max(arc.mostRise, arc.mostFitted);
         if (arc.gain > 0 && slackMm > 0 && lengthMm[point] > 0) {
             // The curve gets longer with about the square of the amplitude.
             const float now = amplitude(frames, arc, slackMm);

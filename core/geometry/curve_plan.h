@@ -85,6 +85,7 @@ private:
         float gain = 0;     ///< of the root of stored^2 - distance^2
         float leastMm = 0;
         float mostRise = 0;   ///< limit in rises
+        float mostFitted = 0; ///< the limit when it was fitted, if that is wider
         float acrossSide = 0; ///< direction in which it stands out
         float alongSide = 0;
         float out = 0;

@@ -37,7 +37,8 @@ constexpr float kFloatDip = 0.5F;
 // rises.
 constexpr float kHeadGain = 0.38F;
 constexpr float kHeadMost = 0.66F;
-constexpr float kGapSinkerMost = 0.3F; ///< from bed to bed
+constexpr float kHeadMostFitted = 0.95F; ///< where it is to be as long as its yarn
+constexpr float kGapSinkerMost = 0.3F;   ///< from bed to bed
 constexpr float kBellyGain = 0.30F;
 constexpr float kBellyMost = 0.25F;
 constexpr float kFloatGain = 0.25F;
@@ -281,6 +282,7 @@ void CurvePlanner::addHeadArc(const Station& a, const Station& b) {
                              .gain = kHeadGain,
                              .leastMm = kArcLeast * m_diameter,
                              .mostRise = kHeadMost,
+                             .mostFitted = kHeadMostFitted,
                              .alongSide = 1,
                              .out = 0.5F * kDepthGain * (a.upper + b.upper)});
 }
@@ -317,6 +319,7 @@ void CurvePlanner::addSinker(const Station& a, const Station& b) {
                              .gain = kHeadGain,
                              .leastMm = kArcLeast * m_diameter,
                              .mostRise = acrossGap ? kGapSinkerMost : kHeadMost,
+                             .mostFitted = acrossGap ? kGapSinkerMost : kHeadMostFitted,
                              .alongSide = rise - 1,
                              .out = 0.5F * kDepthGain * (a.lower + b.lower)});
 }

@@ -2,6 +2,7 @@
 #include "core/geometry/yarn_curve_builder.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace knittsim::geometry {
 
@@ -9,6 +10,7 @@ namespace {
 
 constexpr int kFitRounds = 10;
 constexpr int kMostRounds = 24;
+constexpr int kIdleRounds = 3;    ///< without fewer wrong crossings than ever before
 constexpr float kLeastGap = 0.3F; ///< diameters between centrelines
 
 /// How much raising each of the four control points beside a place adds there.
@@ -22,11 +24,19 @@ std::array<float, 4> weightsAt(float t) {
 
 int YarnCurveBuilder::makeExact(const fabric::Fabric& fabric, std::span<const float> positions) {
     fitLengths(positions);
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();
+    int idle = 0;
     for (int round = 0; round < kMostRounds; ++round) {
         update(positions);
         const std::vector<ProjectedCrossing> crossings = projectCrossings(m_curves);
-        if (!raise(crossings, auditCrossings(fabric, m_curves, crossings).order)) {
+        const std::size_t wrong = raise(crossings, auditCrossings(fabric, m_curves, crossings).order);
+        if (wrong == 0) {
             return round;
+        }
+        idle = wrong < fewest ? 0 : idle + 1;
+        fewest = std::min(fewest, wrong);
+        if (idle > kIdleRounds) {
+            break;
         }
     }
     return -1;
@@ -51,9 +61,9 @@ void YarnCurveBuilder::fitLengths(std::span<const float> positions) {
 }
 
 /// Moves the strands of every crossing that is not as it should be half the missing distance each. Where
-/// several crossings pull at one control point it moves by their mean.
-bool YarnCurveBuilder::raise(const std::vector<ProjectedCrossing>& crossings,
-                             const std::vector<std::int8_t>& order) {
+/// several crossings pull at one control point it moves by their mean. Returns how many were not.
+std::size_t YarnCurveBuilder::raise(const std::vector<ProjectedCrossing>& crossings,
+                                    const std::vector<std::int8_t>& order) {
     std::vector<float>& lift = m_plan.lift();
     std::vector<float> move(lift.size(), 0);
     std::vector<float> pulls(lift.size(), 0);
@@ -71,7 +81,7 @@ bool YarnCurveBuilder::raise(const std::vector<ProjectedCrossing>& crossings,
             pulls[control + i - 1] += weights[i];
         }
     };
-    bool any = false;
+    std::size_t wrong = 0;
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         const ProjectedCrossing& c = crossings[i];
         const float least = kLeastGap * 0.5F * (diameterAt(c.over) + diameterAt(c.under));
@@ -79,7 +89,7 @@ bool YarnCurveBuilder::raise(const std::vector<ProjectedCrossing>& crossings,
         if (order[i] == 0 || missing <= 0) {
             continue;
         }
-        any = true;
+        ++wrong;
         const float by = static_cast<float>(order[i]) * 0.5F * (missing + 0.1F * least);
         pull(c.over, c.overShare, by);
         pull(c.under, c.underShare, -by);
@@ -87,7 +97,7 @@ bool YarnCurveBuilder::raise(const std::vector<ProjectedCrossing>& crossings,
     for (std::size_t c = 0; c < lift.size(); ++c) {
         lift[c] += pulls[c] > 0 ? move[c] / pulls[c] : 0;
     }
-    return any;
+    return wrong;
 }
 
 float YarnCurveBuilder::diameterAt(std::int32_t node) const {

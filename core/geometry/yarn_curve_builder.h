@@ -31,7 +31,7 @@ public:
 
 private:
     void fitLengths(std::span<const float> positions);
-    bool raise(const std::vector<ProjectedCrossing>& crossings, const std::vector<std::int8_t>& order);
+    std::size_t raise(const std::vector<ProjectedCrossing>& crossings, const std::vector<std::int8_t>& order);
     float diameterAt(std::int32_t node) const;
     void sample(std::size_t firstControl, std::size_t lastControl);
     void measureArc();
