@@ -29,8 +29,8 @@ constexpr float kTurnDown = 0.8F;
 constexpr float kTurnBackOut = 1.15F; ///< round the leg that the yarn is drawn through next
 constexpr float kTurnBackDown = 0.8F;
 constexpr float kKinkDown = 0.2F;
-constexpr float kWaitOut = 0.3F; ///< for every course more
-constexpr float kWaitMost = 3;
+constexpr float kWaitOut = 0.15F; ///< for every course more
+constexpr float kWaitMost = 1.2F;
 constexpr float kFloatDip = 0.5F;
 
 // Slack yarn: how far an arc stands out, as a share of the root of length^2 - chord^2, and its limit in
