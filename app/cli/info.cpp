@@ -123,17 +123,22 @@ void printText(const nlohmann::ordered_json& info) {
 }
 
 int runInfo(const InfoOptions& options) {
-    const auto timeline = loadTimeline(options.load);
-    if (!timeline) {
-        return kUnusable;
-    }
-    nlohmann::ordered_json info = summarise(*timeline, fabric::buildFabric(*timeline));
+    Loaded loaded;
     if (options.curves) {
-        const auto loaded = load(options.load);
-        if (!loaded) {
+        auto all = load(options.load);
+        if (!all) {
             return kUnusable;
         }
-        info["curves"] = inspect(*loaded);
+        loaded = std::move(*all);
+    } else if ((loaded.timeline = loadTimeline(options.load)) != nullptr) {
+        loaded.fabric = std::make_shared<fabric::Fabric>(fabric::buildFabric(*loaded.timeline));
+    } else {
+        return kUnusable;
+    }
+    const machine::Timeline* timeline = loaded.timeline.get();
+    nlohmann::ordered_json info = summarise(*timeline, *loaded.fabric);
+    if (options.curves) {
+        info["curves"] = inspect(loaded);
     }
     if (options.json) {
         fmt::print("{}\n", info.dump(2));

@@ -3,7 +3,6 @@
 #include "core/geometry/strand_order.h"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 namespace knittsim::geometry {

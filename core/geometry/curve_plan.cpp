@@ -95,15 +95,16 @@ float CurvePlan::amplitude(const FrameField& frames, const Arc& arc, float slack
     return std::clamp(arc.gain * slackMm, arc.leastMm, std::max(arc.leastMm, arc.mostRise * rise));
 }
 
-void CurvePlan::fitArcs(const FrameField& frames, std::span<const float> lengthMm) {
+void CurvePlan::fitArcs(const FrameField& frames, std::span<const double> lengthMm) {
     for (Arc& arc : m_arcs) {
         const auto point = static_cast<std::size_t>(m_pointOfControl[static_cast<std::size_t>(arc.control)]);
         const float slackMm = slack(frames, arc);
         arc.mostRise = std::max(arc.mostRise, arc.mostFitted);
-        if (arc.gain > 0 && slackMm > 0 && lengthMm[point] > 0) {
+        const auto length = static_cast<float>(lengthMm[point]);
+        if (arc.gain > 0 && slackMm > 0 && length > 0) {
             // The curve gets longer with about the square of the amplitude.
             const float now = amplitude(frames, arc, slackMm);
-            const float missing = arc.storedMm * arc.storedMm - lengthMm[point] * lengthMm[point];
+            const float missing = arc.storedMm * arc.storedMm - length * length;
             arc.gain = std::sqrt(std::max(kLeastSquare, now * now + kFitRate * missing)) / slackMm;
         }
     }

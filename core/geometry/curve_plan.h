@@ -43,7 +43,7 @@ public:
 
     /// Makes arcs stand out more or less, so that the yarn between bonding points comes nearer to its stored
     /// length. `lengthMm` by bonding point: of the curve from there to the next one at the shape of `frames`.
-    void fitArcs(const FrameField& frames, std::span<const float> lengthMm);
+    void fitArcs(const FrameField& frames, std::span<const double> lengthMm);
 
     /// Writes all control points, the two beyond the ends of each yarn included.
     void place(const FrameField& frames, std::vector<ControlValue>& controls) const;

@@ -13,14 +13,8 @@ constexpr double kNeighbours = 3; ///< diameters along a yarn
 constexpr double kAsStored = 0.01;
 
 void compareLengths(const fabric::Fabric& fabric, const YarnCurves& curves, CurveReport& report) {
-    std::vector<double> length(fabric.points.size(), 0);
-    for (const YarnCurves::Range& yarn : curves.yarns) {
-        for (std::int32_t n = yarn.first; n + 1 < yarn.first + yarn.count; ++n) {
-            const auto i = static_cast<std::size_t>(n);
-            length[static_cast<std::size_t>(curves.point[i])] +=
-                static_cast<double>(curves.arc[i + 1] - curves.arc[i]);
-        }
-    }
+    std::vector<double> length = spanLengths(curves);
+    length.resize(fabric.points.size(), 0);
     const auto place = [&](std::size_t p) -> const Vec3& {
         return fabric.machinePositions[static_cast<std::size_t>(fabric.points[p].entry)];
     };

@@ -1,32 +1,9 @@
 #include "core/geometry/strand_distance.h"
 
+#include "core/base/segment_distance.h"
 #include "core/geometry/segment_grid.h"
 
 namespace knittsim::geometry {
-
-namespace {
-
-/// Between two segments; after Ericson, Real-Time Collision Detection (2005), section 5.1.9.
-double segmentDistance(const Vec3f& p, const Vec3f& pWay, const Vec3f& q, const Vec3f& qWay) {
-    const Vec3 d1 = pWay.cast<double>();
-    const Vec3 d2 = qWay.cast<double>();
-    const Vec3 r = (p - q).cast<double>();
-    const double a = d1.squaredNorm();
-    const double e = d2.squaredNorm();
-    const double f = d2.dot(r);
-    const double c = d1.dot(r);
-    const double b = d1.dot(d2);
-    const double det = a * e - b * b;
-    double s = det > 1e-12 * a * e ? std::clamp((b * f - c * e) / det, 0.0, 1.0) : 0.0;
-    double t = e > 0 ? (b * s + f) / e : 0;
-    if (t < 0 || t > 1) {
-        t = std::clamp(t, 0.0, 1.0);
-        s = a > 0 ? std::clamp((b * t - c) / a, 0.0, 1.0) : 0;
-    }
-    return (r + s * d1 - t * d2).norm();
-}
-
-} // namespace
 
 StrandDistance smallestDistance(const YarnCurves& curves, double limitMm, double apartMm) {
     std::vector<std::int32_t> nodes;
@@ -62,7 +39,9 @@ StrandDistance smallestDistance(const YarnCurves& curves, double limitMm, double
                  static_cast<float>(apartMm))) {
             return;
         }
-        const double mm = segmentDistance(at(a), at(a + 1) - at(a), at(b), at(b + 1) - at(b));
+        const double mm = closestPoints(at(a).cast<double>(), at(a + 1).cast<double>(), at(b).cast<double>(),
+                                        at(b + 1).cast<double>())
+                              .distance;
         if (mm < nearest.mm) {
             nearest = {mm, a, b};
         }

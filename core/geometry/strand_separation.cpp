@@ -1,4 +1,5 @@
 #include "core/geometry/crossing_audit.h"
+#include "core/geometry/spline.h"
 #include "core/geometry/yarn_curve_builder.h"
 
 #include <algorithm>
@@ -12,13 +13,6 @@ constexpr int kFitRounds = 10;
 constexpr int kMostRounds = 24;
 constexpr int kIdleRounds = 3;    ///< without fewer wrong crossings than ever before
 constexpr float kLeastGap = 0.3F; ///< diameters between centrelines
-
-/// How much raising each of the four control points beside a place adds there.
-std::array<float, 4> weightsAt(float t) {
-    const float u = 1 - t;
-    return {u * u * u / 6, (3 * t * t * t - 6 * t * t + 4) / 6, (3 * u * u * u - 6 * u * u + 4) / 6,
-            t * t * t / 6};
-}
 
 } // namespace
 
@@ -43,20 +37,9 @@ int YarnCurveBuilder::makeExact(const fabric::Fabric& fabric, std::span<const fl
 }
 
 void YarnCurveBuilder::fitLengths(std::span<const float> positions) {
-    std::vector<float> lengthMm;
     for (int round = 0; round < kFitRounds; ++round) {
         update(positions);
-        lengthMm.clear();
-        for (const YarnCurves::Range& yarn : m_curves.yarns) {
-            const std::int32_t end = yarn.first + yarn.count;
-            for (std::int32_t n = yarn.first; n + 1 < end; ++n) {
-                const auto i = static_cast<std::size_t>(n);
-                const auto point = static_cast<std::size_t>(m_curves.point[i]);
-                lengthMm.resize(std::max(lengthMm.size(), point + 1), 0);
-                lengthMm[point] += m_curves.arc[i + 1] - m_curves.arc[i];
-            }
-        }
-        m_plan.fitArcs(m_frames, lengthMm);
+        m_plan.fitArcs(m_frames, spanLengths(m_curves));
     }
 }
 
@@ -69,9 +52,9 @@ std::size_t YarnCurveBuilder::raise(const std::vector<ProjectedCrossing>& crossi
     std::vector<float> pulls(lift.size(), 0);
     const auto samples = static_cast<float>(m_weights.size());
     const auto pull = [&](std::int32_t node, float share, float by) {
-        const std::size_t control = m_controlOfNode[static_cast<std::size_t>(node)];
+        const std::size_t control = controlAt(node);
         const std::int32_t within = node - m_nodeOfControl[control];
-        const auto weights = weightsAt((static_cast<float>(within) + share) / samples);
+        const auto weights = splineWeights((static_cast<float>(within) + share) / samples);
         float squares = 0;
         for (const float w : weights) {
             squares += w * w;
@@ -100,9 +83,21 @@ std::size_t YarnCurveBuilder::raise(const std::vector<ProjectedCrossing>& crossi
     return wrong;
 }
 
+std::size_t YarnCurveBuilder::yarnAt(std::int32_t node) const {
+    const auto after = std::ranges::upper_bound(m_curves.yarns, node, {}, &YarnCurves::Range::first);
+    return static_cast<std::size_t>(after - m_curves.yarns.begin()) - 1;
+}
+
+/// The control point at a node, or the one before it.
+std::size_t YarnCurveBuilder::controlAt(std::int32_t node) const {
+    const std::size_t yarn = yarnAt(node);
+    const auto within = static_cast<std::size_t>(node - m_curves.yarns[yarn].first);
+    return static_cast<std::size_t>(m_plan.yarns()[yarn].first) + within / m_weights.size();
+}
+
 float YarnCurveBuilder::diameterAt(std::int32_t node) const {
-    const auto yarn = std::ranges::upper_bound(m_curves.yarns, node, {}, &YarnCurves::Range::first) - 1;
-    return yarn->carrier < m_diameterMm.size() ? static_cast<float>(m_diameterMm[yarn->carrier]) : 0.3F;
+    const machine::CarrierIndex carrier = m_curves.yarns[yarnAt(node)].carrier;
+    return carrier < m_diameterMm.size() ? static_cast<float>(m_diameterMm[carrier]) : 0.3F;
 }
 
 } // namespace knittsim::geometry

@@ -1,5 +1,6 @@
 #include "core/geometry/yarn_curve.h"
 
+#include "core/geometry/spline.h"
 #include "core/geometry/yarn_curve_builder.h"
 
 #include <algorithm>
@@ -7,17 +8,6 @@
 #include <utility>
 
 namespace knittsim::geometry {
-
-namespace {
-
-/// Weights of four neighbouring control points of the uniform cubic B-spline at t in [0, 1).
-std::array<float, 4> splineWeights(float t) {
-    const float u = 1 - t;
-    return {u * u * u / 6, (3 * t * t * t - 6 * t * t + 4) / 6, (3 * u * u * u - 6 * u * u + 4) / 6,
-            t * t * t / 6};
-}
-
-} // namespace
 
 YarnCurveBuilder::YarnCurveBuilder(const fabric::Fabric& fabric, std::span<const double> diameterMm,
                                    const CurveOptions& options)
@@ -35,7 +25,6 @@ YarnCurveBuilder::YarnCurveBuilder(const fabric::Fabric& fabric, std::span<const
             const auto control = static_cast<std::size_t>(yarn.first + i);
             m_nodeOfControl[control] = node;
             const int own = i + 1 < yarn.count ? samples : 1;
-            m_controlOfNode.insert(m_controlOfNode.end(), static_cast<std::size_t>(own), control);
             m_curves.point.insert(m_curves.point.end(), static_cast<std::size_t>(own),
                                   m_plan.pointOfControl()[control]);
             m_curves.piece.insert(m_curves.piece.end(), static_cast<std::size_t>(own),
@@ -104,6 +93,19 @@ void YarnCurveBuilder::measureArc() {
             m_curves.arc[i] = static_cast<float>(arc);
         }
     }
+}
+
+std::vector<double> spanLengths(const YarnCurves& curves) {
+    std::vector<double> length;
+    for (const YarnCurves::Range& yarn : curves.yarns) {
+        for (std::int32_t n = yarn.first; n + 1 < yarn.first + yarn.count; ++n) {
+            const auto i = static_cast<std::size_t>(n);
+            const auto point = static_cast<std::size_t>(curves.point[i]);
+            length.resize(std::max(length.size(), point + 1), 0);
+            length[point] += static_cast<double>(curves.arc[i + 1] - curves.arc[i]);
+        }
+    }
+    return length;
 }
 
 YarnCurves buildYarnCurves(const fabric::Fabric& fabric, std::span<const float> positions,

@@ -38,4 +38,7 @@ struct CurveOptions {
 YarnCurves buildYarnCurves(const fabric::Fabric& fabric, std::span<const float> positions,
                            std::span<const double> diameterMm, const CurveOptions& options = {});
 
+/// By bonding point, mm: of the curve from it to the next one of its yarn. As long as the last point drawn.
+std::vector<double> spanLengths(const YarnCurves& curves);
+
 } // namespace knittsim::geometry

@@ -32,6 +32,8 @@ public:
 private:
     void fitLengths(std::span<const float> positions);
     std::size_t raise(const std::vector<ProjectedCrossing>& crossings, const std::vector<std::int8_t>& order);
+    std::size_t yarnAt(std::int32_t node) const;
+    std::size_t controlAt(std::int32_t node) const;
     float diameterAt(std::int32_t node) const;
     void sample(std::size_t firstControl, std::size_t lastControl);
     void measureArc();
@@ -43,7 +45,6 @@ private:
     std::vector<ControlValue> m_controls;
     std::vector<std::int32_t>
         m_nodeOfControl; ///< first node of the span that begins at a control, -1 for none
-    std::vector<std::size_t> m_controlOfNode;    ///< at or before
     std::vector<std::array<float, 4>> m_weights; ///< by sample of a span
     YarnCurves m_curves;
 };

@@ -1,5 +1,7 @@
 #include "tests/support/fabric_form.h"
 
+#include "tests/support/rewrite_program.h"
+
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -117,20 +119,6 @@ void swapSides(Stop& stop) {
     }
     stop.piece = stop.role == Role::Crossing ? otherSide(stop.piece) : stop.piece;
     stop.crossedPiece = stop.role == Role::Crossing ? otherSide(stop.crossedPiece) : stop.crossedPiece;
-}
-
-Bed otherBed(Bed bed) {
-    switch (bed) {
-    case Bed::Front:
-        return Bed::Rear;
-    case Bed::Rear:
-        return Bed::Front;
-    case Bed::FrontSlider:
-        return Bed::RearSlider;
-    case Bed::RearSlider:
-        break;
-    }
-    return Bed::FrontSlider;
 }
 
 void swapSides(FormLoop& loop) {

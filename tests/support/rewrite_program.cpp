@@ -18,15 +18,6 @@ using machine::OperationIndex;
 using machine::OperationKind;
 using machine::Program;
 
-namespace {
-
-using Operations = std::vector<Operation>;
-
-/// Not std::uniform_int_distribution, whose results differ between libraries.
-int below(std::mt19937& random, int count) {
-    return static_cast<int>(random() % static_cast<std::uint32_t>(count));
-}
-
 Bed otherBed(Bed bed) {
     switch (bed) {
     case Bed::Front:
@@ -39,6 +30,15 @@ Bed otherBed(Bed bed) {
         break;
     }
     return Bed::FrontSlider;
+}
+
+namespace {
+
+using Operations = std::vector<Operation>;
+
+/// Not std::uniform_int_distribution, whose results differ between libraries.
+int below(std::mt19937& random, int count) {
+    return static_cast<int>(random() % static_cast<std::uint32_t>(count));
 }
 
 struct Stretch {

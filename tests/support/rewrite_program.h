@@ -6,6 +6,9 @@
 
 namespace knittsim::test {
 
+/// The bed on the other side of the gap, sliders to sliders.
+machine::Bed otherBed(machine::Bed bed);
+
 /// The program as a person on the left hand side of a mirror would write it.
 machine::Program mirrored(machine::Program program);
 

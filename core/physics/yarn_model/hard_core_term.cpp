@@ -1,6 +1,6 @@
 #include "core/physics/yarn_model/hard_core_term.h"
 
-#include "core/physics/yarn_model/segment_distance.h"
+#include "core/base/segment_distance.h"
 
 #include <algorithm>
 #include <cmath>

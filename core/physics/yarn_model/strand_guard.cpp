@@ -1,6 +1,6 @@
 #include "core/physics/yarn_model/strand_guard.h"
 
-#include "core/physics/yarn_model/segment_distance.h"
+#include "core/base/segment_distance.h"
 #include "core/physics/yarn_model/skin.h"
 
 #include <algorithm>

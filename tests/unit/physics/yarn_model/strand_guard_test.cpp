@@ -1,5 +1,5 @@
 #include "chains_for_tests.h"
-#include "core/physics/yarn_model/segment_distance.h"
+#include "core/base/segment_distance.h"
 #include "core/physics/yarn_model/strand_guard.h"
 
 #include <Eigen/Geometry>

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace knittsim::physics {
+namespace knittsim {
 
 /// Closest points of two segments: p0 + s (p1 - p0) and q0 + t (q1 - q0), s and t in [0, 1].
 struct ClosestPoints {
@@ -15,4 +15,4 @@ struct ClosestPoints {
 ClosestPoints closestPoints(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1, const Eigen::Vector3d& q0,
                             const Eigen::Vector3d& q1);
 
-} // namespace knittsim::physics
+} // namespace knittsim

@@ -1,8 +1,8 @@
-#include "core/physics/yarn_model/segment_distance.h"
+#include "core/base/segment_distance.h"
 
 #include <algorithm>
 
-namespace knittsim::physics {
+namespace knittsim {
 
 /// Minimum of a convex quadratic on the unit square: inside, or on the better of the edges that its free
 /// minimum along each line leads to.
@@ -28,4 +28,4 @@ ClosestPoints closestPoints(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1
     return best;
 }
 
-} // namespace knittsim::physics
+} // namespace knittsim
