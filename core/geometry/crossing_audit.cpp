@@ -29,6 +29,7 @@ struct Event {
     std::size_t index = 0; ///< of the projected crossing
 };
 
+constexpr PointIndex kBeyondBorder = 3;  ///< bonding points
 constexpr PointIndex kPointsOnPiece = 64; ///< looked through on either side
 
 class Auditor {
@@ -305,18 +306,55 @@ private:
         for (const Event* e : m_further) {
             cancelOrPush(*e, m_left);
         }
+        std::vector<const Event*> unexplained;
+        std::vector<const Event*> layered;
         for (const Event* e : m_left) {
             const int order = layerOrder(e->a, e->b);
             if (order == 0) {
-                m_audit.faults.push_back({CrossingFault::Kind::Unexplained, e->a, e->b, e->node});
-                m_audit.order[e->index] = 0;
+                unexplained.push_back(e);
             } else if ((order > 0) != e->aOver) {
                 m_audit.faults.push_back({CrossingFault::Kind::WrongOrder, e->a, e->b, e->node});
                 m_audit.order[e->index] = -1;
             } else {
-                ++m_audit.layered;
+                layered.push_back(e);
             }
         }
+        m_audit.layered = layered.size();
+        judgeUnexplained(unexplained, layered);
+    }
+
+    /// Two crossings of the same strands also cancel over the border of two pieces, when they lie near each
+    /// other along both. Where the layers say who is in front at one of them, so they do at the other.
+    void judgeUnexplained(std::vector<const Event*>& events, std::vector<const Event*>& layered) {
+        const auto place = [](const Event* e) { return e->over; };
+        std::ranges::sort(events, {}, place);
+        std::ranges::sort(layered, {}, place);
+        while (!events.empty()) {
+            const Event& e = *events.back();
+            events.pop_back();
+            if (takeNear(events, e.over, e.under, -yarnSign(e)) ||
+                takeNear(layered, e.over, e.under, -yarnSign(e))) {
+                continue;
+            }
+            const bool swapped = takeNear(layered, e.under, e.over, yarnSign(e));
+            m_audit.order[e.index] = swapped ? -1 : 0;
+            m_audit.faults.push_back(
+                {swapped ? CrossingFault::Kind::WrongOrder : CrossingFault::Kind::Unexplained, e.a, e.b,
+                 e.node});
+        }
+    }
+
+    /// Takes out one of `events`, sorted by place, of two strands near these points.
+    bool takeNear(std::vector<const Event*>& events, PointIndex over, PointIndex under, int sign) const {
+        const auto place = [](const Event* e) { return e->over; };
+        auto it = std::ranges::lower_bound(events, over - kBeyondBorder, {}, place);
+        for (; it != events.end() && (*it)->over <= over + kBeyondBorder; ++it) {
+            if (std::abs((*it)->under - under) <= kBeyondBorder && yarnSign(**it) == sign) {
+                events.erase(it);
+                return true;
+            }
+        }
+        return false;
     }
 
     /// +1 when the layers say that a lies in front of b, -1 behind, 0 when they say nothing.

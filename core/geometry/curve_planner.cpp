@@ -380,13 +380,25 @@ void CurvePlanner::addFloat(const Station& a, const Station& b) {
     }
 }
 
+/// Next to the foot another yarn passes.
+bool CurvePlanner::isBesideFloat(const Station& foot, const Station& crossing) const {
+    if (crossing.kind != Station::Kind::OnFloat) {
+        return false;
+    }
+    const fabric::Crossing& c = m_fabric.crossings[static_cast<std::size_t>(point(crossing.point).crossing)];
+    const fabric::BondingPoint& other = point(c.over == crossing.point ? c.under : c.over);
+    return other.piece == fabric::Piece::Float &&
+           std::abs(placeOf(foot).x() - placeOf(crossing).x()) < 0.5 * m_fabric.pitchMm;
+}
+
 void CurvePlanner::addReach(const Station& near, const Station& far, const Station& owner, float out) {
     const bool leg = near.loop == far.loop && !far.isCrossing();
+    const bool arrives = near.point > far.point && isBesideFloat(near, far);
     m_plan.m_reaches.push_back({.control = newControl(owner, near),
                                 .near = near.anchor,
                                 .far = far.anchor,
                                 .reachMm = kReach * m_diameter,
-                                .dipMm = leg ? 0 : kFloatDip * m_diameter,
+                                .dipMm = leg ? 0 : (arrives ? -kFloatDip : kFloatDip) * m_diameter,
                                 .out = kDepthGain * out});
 }
 

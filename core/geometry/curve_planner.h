@@ -68,6 +68,7 @@ private:
     float waitOut(const Station& a, const Station& b) const;
     void addTurnControl(const Station& near, const Station& owner, float across, float down);
     void addFloat(const Station& a, const Station& b);
+    bool isBesideFloat(const Station& foot, const Station& crossing) const;
     void addReach(const Station& near, const Station& far, const Station& owner, float out);
 
     const fabric::Fabric& m_fabric;
