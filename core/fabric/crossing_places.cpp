@@ -3,12 +3,14 @@
 #include "core/fabric/pass_levels.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace knittsim::fabric {
 
 namespace {
 
 constexpr double kSamePlace = 0.1; ///< pitches
+constexpr double kStill = 0.3;     ///< pitches
 
 /// Puts the crossings where their two strands can meet.
 class Placer {
@@ -115,9 +117,28 @@ private:
             }
             for (PointIndex p = first; p < last; ++p) {
                 const double t = static_cast<double>(p - first + 1) / static_cast<double>(last - first + 1);
-                m_wish[static_cast<std::size_t>(p)] = (1 - t) * from + t * to;
+                Vec3& wish = m_wish[static_cast<std::size_t>(p)];
+                wish = (1 - t) * from + t * to;
+                if (stillWhereMade(p)) {
+                    wish.x() = baseX(own, side);
+                }
             }
         }
+    }
+
+    /// A float met the leg before its loop was moved.
+    bool stillWhereMade(PointIndex onLeg) const {
+        const Crossing& crossing = m_fabric.crossings[static_cast<std::size_t>(point(onLeg).crossing)];
+        const PointIndex other = crossing.over == onLeg ? crossing.under : crossing.over;
+        const machine::Loop& made = m_fabric.made.loops[static_cast<std::size_t>(point(onLeg).loop)];
+        return point(other).piece == Piece::Float &&
+               std::abs(static_cast<double>(crossing.place) -
+                        machine::positionPitches(made.needle, made.rack)) < kStill;
+    }
+
+    double baseX(LoopIndex index, Side side) const {
+        const WalePlace& wale = m_wales[static_cast<std::size_t>(index)];
+        return (wale.centre + (side == Side::Left ? -1 : 1) * wale.halfWidth) * m_fabric.pitchMm;
     }
 
     /// Where the machine was, in the course that was made then, between the ends of the float.
@@ -148,8 +169,7 @@ private:
         }
         Vec3 below = place(side == Side::Left ? l.headLeft : l.headRight);
         const double level = l.course + static_cast<double>(m_level[static_cast<std::size_t>(index)]);
-        const WalePlace& wale = m_wales[static_cast<std::size_t>(index)];
-        below.x() = (wale.centre + (side == Side::Left ? -1 : 1) * wale.halfWidth) * m_fabric.pitchMm;
+        below.x() = baseX(index, side);
         below.y() = std::min(m_heights.at(level), below.y() - 0.5 * m_heights.courseMm());
         return below;
     }

@@ -23,6 +23,7 @@ bool isWhole(double place) {
 }
 
 constexpr double kBeside = 0.45; ///< pitches from a needle to a yarn that waits there
+constexpr double kBesideCrowded = 0.25; ///< between loops of both beds half a pitch apart
 
 constexpr std::array kFrontBeds{Bed::Front, Bed::FrontSlider};
 constexpr std::array kRearBeds{Bed::Rear, Bed::RearSlider};
@@ -141,7 +142,7 @@ void StrandTracker::pairYarns(std::span<const Way> together, const Met& met, int
         const Yarn& yarn = m_yarns[way.carrier];
         if (std::min(yarn.key, way.to) < met.key && met.key < std::max(yarn.key, way.to)) {
             const Strand self{Strand::Kind::Float, yarn.number};
-            const double place = met.key.x + kBeside * met.key.side;
+            const double place = placeOf(met.key);
             m_pairs.push_back(inFront ? PassingBook::Pair{self, met.strand, direction, place}
                                       : PassingBook::Pair{met.strand, self, -direction, place});
         }
@@ -199,6 +200,18 @@ void StrandTracker::loopsDropped(Needle needle, std::span<const LoopIndex> loops
 void StrandTracker::yarnCut(CarrierIndex carrier) {
     applyRack();
     m_yarns[carrier] = {};
+}
+
+/// Where along the bed a strand with this key is met, pitches. Loops that stand between loops of the other
+/// bed, a fraction of a pitch aside, are given half a pitch, and the yarns beside them wait between.
+double StrandTracker::placeOf(const Key& key) const {
+    const double rack = m_emulator.state().rack;
+    const bool front = isWhole(key.x);
+    const auto index = static_cast<std::int32_t>(std::floor(front ? key.x : key.x - rack));
+    if (key.side == 0 || isWhole(rack) || !isCrowded({front ? Bed::Front : Bed::Rear, index}, rack)) {
+        return key.x + kBeside * key.side;
+    }
+    return (front ? key.x : std::floor(key.x) + 0.5) + kBesideCrowded * key.side;
 }
 
 bool StrandTracker::isCrowded(Needle needle, double rack) const {
@@ -264,7 +277,7 @@ void StrandTracker::rackNeedle(std::int32_t rear, double from, double to) {
         m_pairs.clear();
         const Key place = m_met[i].key;
         for (; i < m_met.size() && m_met[i].key == place; ++i) {
-            pairRear(m_met[i].strand, rear, direction, place.x + kBeside * place.side);
+            pairRear(m_met[i].strand, rear, direction, placeOf(place));
         }
         passRear();
     }

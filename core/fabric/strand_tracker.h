@@ -100,6 +100,7 @@ private:
     void leaveFacing(std::int32_t rear, std::int32_t front, int direction);
     void comeToFace(std::int32_t rear, std::int32_t front, int direction);
     void pairFacing(std::int32_t rear, std::int32_t front, int direction);
+    double placeOf(const Key& key) const;
     bool isCrowded(Needle needle, double rack) const;
     bool holdsLoop(bool front, std::int32_t index) const;
     void inheritFacing(LoopIndex loop);

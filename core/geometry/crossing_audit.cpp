@@ -22,7 +22,7 @@ struct Event {
     CurvePiece b;
     bool aOver = false;
     int sign = 0;
-    float place = 0;      ///< along a, with time
+    float place = 0;      ///< along a, with time; wanted ones: -1 recorded, 0 and 1 of a stitch
     PointIndex over = -1; ///< bonding points that the strands are nearest to
     PointIndex under = -1;
     std::int32_t node = -1;
@@ -233,7 +233,17 @@ private:
                 return e->aOver == wanted->aOver && e->sign == wanted->sign;
             });
             if (match == m_left.end()) {
-                m_missing.push_back(wanted);
+                // Of a stitch the other strand is in front.
+                const auto swapped = std::find_if(next, m_left.end(), [&](const Event* e) {
+                    return wanted->place >= 0 && e->aOver != wanted->aOver && e->sign == -wanted->sign;
+                });
+                if (swapped == m_left.end()) {
+                    m_missing.push_back(wanted);
+                    continue;
+                }
+                m_audit.faults.push_back({CrossingFault::Kind::WrongOrder, wanted->a, wanted->b, (*swapped)->node});
+                m_audit.order[(*swapped)->index] = -1;
+                next = m_left.erase(swapped);
             } else {
                 ++m_audit.found;
                 next = m_left.erase(match);

@@ -22,8 +22,6 @@ struct Nodes {
     std::int32_t spanLast = -1;
 };
 
-constexpr float kSpanLegs = 1.2F; ///< the longer half of a loop counts up to so much of the shorter one
-
 /// Does the segment cross the triangle? +1 along the normal (b - a) x (c - a), -1 against it, 0 not.
 int pierce(const Vec3& from, const Vec3& to, const Vec3& a, const Vec3& b, const Vec3& c) {
     const auto volume = [](const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
@@ -91,7 +89,7 @@ private:
     }
 
     /// The span of a loop ends at its legs: the yarn that turns or floats on from there does not belong to
-    /// it.
+    /// it, so that the longer half counts up to the length of the shorter one.
     void trim(Nodes& nodes) const {
         if (nodes.middle < 0) {
             return;
@@ -100,7 +98,7 @@ private:
         nodes.spanFirst = nodes.first;
         nodes.spanLast = nodes.last;
         const float leg =
-            kSpanLegs * std::min(arc(nodes.middle) - arc(nodes.first), arc(nodes.last) - arc(nodes.middle));
+            std::min(arc(nodes.middle) - arc(nodes.first), arc(nodes.last) - arc(nodes.middle));
         while (arc(nodes.middle) - arc(nodes.spanFirst) > leg) {
             ++nodes.spanFirst;
         }
