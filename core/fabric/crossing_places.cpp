@@ -109,31 +109,50 @@ private:
                 wishOnFloat(p, from.y(), to.y());
             }
         } else {
-            const Side side = point(first).piece == Piece::LeftLeg ? Side::Left : Side::Right;
-            from = foot(own, side);
-            to = place(side == Side::Left ? loop(own).headLeft : loop(own).headRight);
-            if (side != in) {
-                std::swap(from, to);
-            }
-            for (PointIndex p = first; p < last; ++p) {
-                const double t = static_cast<double>(p - first + 1) / static_cast<double>(last - first + 1);
-                Vec3& wish = m_wish[static_cast<std::size_t>(p)];
-                wish = (1 - t) * from + t * to;
-                if (stillWhereMade(p)) {
-                    wish.x() = baseX(own, side);
-                }
+            wishOnLeg(first, last, point(first).piece == Piece::LeftLeg ? Side::Left : Side::Right, in);
+        }
+    }
+
+    void wishOnLeg(PointIndex first, PointIndex last, Side side, Side in) {
+        const LoopIndex own = point(first).loop;
+        const Vec3 base = foot(own, side);
+        const Vec3& head = place(side == Side::Left ? loop(own).headLeft : loop(own).headRight);
+        for (PointIndex p = first; p < last; ++p) {
+            const double share = static_cast<double>(p - first + 1) / static_cast<double>(last - first + 1);
+            const double t = side == in ? share : 1 - share;
+            Vec3& wish = m_wish[static_cast<std::size_t>(p)];
+            wish = (1 - t) * base + t * head;
+            switch (whereMet(p)) {
+            case Met::Made:
+                wish.x() = baseX(own, side);
+                break;
+            case Met::Bound:
+                wish.x() = head.x();
+                break;
+            case Met::Between:
+                break;
             }
         }
     }
 
-    /// A float met the leg before its loop was moved.
-    bool stillWhereMade(PointIndex onLeg) const {
+    /// Where a float met a leg: where its loop was made, where it was bound, or on the way.
+    enum class Met { Made, Bound, Between };
+    Met whereMet(PointIndex onLeg) const {
         const Crossing& crossing = m_fabric.crossings[static_cast<std::size_t>(point(onLeg).crossing)];
         const PointIndex other = crossing.over == onLeg ? crossing.under : crossing.over;
-        const machine::Loop& made = m_fabric.made.loops[static_cast<std::size_t>(point(onLeg).loop)];
-        return point(other).piece == Piece::Float &&
-               std::abs(static_cast<double>(crossing.place) -
-                        machine::positionPitches(made.needle, made.rack)) < kStill;
+        if (point(other).piece != Piece::Float) {
+            return Met::Between;
+        }
+        const LoopIndex own = point(onLeg).loop;
+        const machine::Loop& made = m_fabric.made.loops[static_cast<std::size_t>(own)];
+        const auto place = static_cast<double>(crossing.place);
+        const double fromMade = std::abs(place - machine::positionPitches(made.needle, made.rack));
+        const double fromBound =
+            std::abs(place - machine::positionPitches(loop(own).bound, loop(own).boundRack));
+        if (std::min(fromMade, fromBound) > kStill) {
+            return Met::Between;
+        }
+        return fromMade <= fromBound ? Met::Made : Met::Bound;
     }
 
     double baseX(LoopIndex index, Side side) const {
