@@ -23,7 +23,7 @@ std::vector<machine::LoopIndex> loopsBelow(const machine::LoopTable& table) {
     return below;
 }
 
-/// The last course that each needle has knitted.
+/// The last course of each needle.
 class NeedleCourses {
 public:
     std::int32_t courseOn(machine::Needle needle) const {
@@ -52,7 +52,8 @@ public:
     void continues(std::int32_t course) { m_before = std::max(m_before, course); }
 
     /// A pass of tucks lies in the course above the loops that it lies on, or that its needles knitted before
-    /// they were emptied; on needles that never knitted in the course of its yarn's last pass.
+    /// they were emptied; on needles that never knitted in the course of its yarn's last pass, or of their
+    /// neighbours if that is higher.
     std::int32_t course() const {
         return m_knit >= 0 ? m_knit : m_tuck >= 0 ? m_tuck : std::max(m_before, 0);
     }
@@ -96,6 +97,7 @@ CourseNumbers numberCourses(const machine::Timeline& timeline) {
     std::vector<std::int32_t> lastCourseOfYarn(static_cast<std::size_t>(timeline.finalState().yarnCount), -1);
     const std::vector<machine::LoopIndex> below = loopsBelow(table);
     NeedleCourses knitted;
+    NeedleCourses any;
     std::size_t i = 0;
     while (i < table.loops.size()) {
         const std::int32_t passIndex =
@@ -114,11 +116,14 @@ CourseNumbers numberCourses(const machine::Timeline& timeline) {
                 pass.tuck(numbers.courseOf(table.loops[static_cast<std::size_t>(lower)].operation));
             } else if (lower < 0 && loop.parentCount == 0) {
                 pass.tuck(knitted.courseOn(loop.needle));
+                pass.continues(any.courseOn({loop.needle.bed, loop.needle.index - 1}));
+                pass.continues(any.courseOn({loop.needle.bed, loop.needle.index + 1}));
             }
         }
         numbers.courseOfPass[static_cast<std::size_t>(passIndex)] = pass.course();
         for (std::size_t made = first; made < i; ++made) {
             lastCourseOfYarn[static_cast<std::size_t>(table.loops[made].yarn)] = pass.course();
+            any.add(table.loops[made].needle, pass.course());
             if (table.loops[made].parentCount > 0) {
                 knitted.add(table.loops[made].needle, pass.course());
             }

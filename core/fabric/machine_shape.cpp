@@ -12,7 +12,16 @@ namespace {
 
 constexpr double kGapInCourses = 0.6;
 
-/// By loop: how high its heads lie, in courses. A held loop stretches up to the loop that comes through it.
+/// The course that the machine was at.
+std::int32_t courseAt(const Fabric& fabric, OperationIndex operation) {
+    const auto& made = fabric.made.loops;
+    const auto after = std::ranges::upper_bound(made, operation, {}, &machine::Loop::operation);
+    const auto latest = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, after - made.begin())) - 1;
+    return fabric.loops[latest].course;
+}
+
+/// By loop: how high its heads lie, in courses. A held loop stretches up to the loop that comes through it,
+/// or above the last yarn that passed it.
 std::vector<std::int32_t> topCourses(const Fabric& fabric) {
     std::vector<std::int32_t> tops;
     tops.reserve(fabric.loops.size());
@@ -23,6 +32,16 @@ std::vector<std::int32_t> topCourses(const Fabric& fabric) {
         for (const LoopIndex parent : fabric.made.parentsOf(static_cast<LoopIndex>(i))) {
             std::int32_t& top = tops[static_cast<std::size_t>(parent)];
             top = std::max(top, fabric.loops[i].course);
+        }
+    }
+    for (const Crossing& crossing : fabric.crossings) {
+        const std::int32_t met = courseAt(fabric, crossing.operation);
+        for (const PointIndex p : {crossing.over, crossing.under}) {
+            const BondingPoint& point = fabric.points[static_cast<std::size_t>(p)];
+            const auto loop = static_cast<std::size_t>(point.loop);
+            if (point.piece != Piece::Float && fabric.loops[loop].end != Loop::End::Bound) {
+                tops[loop] = std::max(tops[loop], met + 1);
+            }
         }
     }
     return tops;
