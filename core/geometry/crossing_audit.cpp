@@ -3,6 +3,7 @@
 #include "core/geometry/strand_order.h"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 namespace knittsim::geometry {
@@ -59,6 +60,7 @@ public:
         compare();
         matchBeside();
         judgeFurther();
+        slideOffEnds(crossings);
         return std::move(m_audit);
     }
 
@@ -346,12 +348,46 @@ private:
                 takeNear(layered, e.over, e.under, -yarnSign(e))) {
                 continue;
             }
-            const bool swapped = takeNear(layered, e.under, e.over, yarnSign(e));
-            m_audit.order[e.index] = swapped ? -1 : 0;
-            m_audit.faults.push_back(
-                {swapped ? CrossingFault::Kind::WrongOrder : CrossingFault::Kind::Unexplained, e.a, e.b,
-                 e.node});
+            if (takeNear(layered, e.under, e.over, yarnSign(e))) {
+                m_audit.order[e.index] = -1;
+                m_audit.faults.push_back({CrossingFault::Kind::WrongOrder, e.a, e.b, e.node});
+            } else {
+                m_audit.order[e.index] = 0;
+                m_unexplained.push_back(&e);
+            }
         }
+    }
+
+    /// Whatever lies beyond the last crossing that is explained slides off the end of its yarn.
+    void slideOffEnds(const std::vector<ProjectedCrossing>& crossings) {
+        if (m_unexplained.empty()) {
+            return;
+        }
+        std::vector<std::pair<std::int32_t, std::int32_t>> explained(
+            m_curves.yarns.size(),
+            {std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::min()});
+        for (std::size_t i = 0; i < crossings.size(); ++i) {
+            for (const std::int32_t node : {crossings[i].over, crossings[i].under}) {
+                auto& [first, last] = explained[yarnAt(node)];
+                first = m_audit.order[i] != 0 ? std::min(first, node) : first;
+                last = m_audit.order[i] != 0 ? std::max(last, node) : last;
+            }
+        }
+        const auto slidesOff = [&](std::int32_t node) {
+            const auto& [first, last] = explained[yarnAt(node)];
+            return node < first || node > last;
+        };
+        for (const Event* e : m_unexplained) {
+            const ProjectedCrossing& crossing = crossings[e->index];
+            if (!slidesOff(crossing.over) && !slidesOff(crossing.under)) {
+                m_audit.faults.push_back({CrossingFault::Kind::Unexplained, e->a, e->b, e->node});
+            }
+        }
+    }
+
+    std::size_t yarnAt(std::int32_t node) const {
+        const auto after = std::ranges::upper_bound(m_curves.yarns, node, {}, &YarnCurves::Range::first);
+        return static_cast<std::size_t>(after - m_curves.yarns.begin()) - 1;
     }
 
     /// Takes out one of `events`, sorted by place, of two strands near these points.
@@ -409,7 +445,7 @@ private:
     std::vector<Event> m_found;
     std::vector<Event> m_wanted;
     std::vector<const Event*> m_left, m_asked;
-    std::vector<const Event*> m_missing, m_further;
+    std::vector<const Event*> m_missing, m_further, m_unexplained;
     CrossingAudit m_audit;
 };
 
