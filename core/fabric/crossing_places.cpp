@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kSamePlace = 0.1; ///< pitches
 constexpr double kStill = 0.3;     ///< pitches
+constexpr double kLeastSpan = 0.1; ///< courses
 
 /// Puts the crossings where their two strands can meet.
 class Placer {
@@ -20,6 +21,7 @@ public:
 
     void run() {
         m_wish.assign(m_fabric.points.size(), Vec3::Zero());
+        m_span.assign(m_fabric.points.size(), 0);
         wishAll();
         for (const Crossing& crossing : m_fabric.crossings) {
             if (crossing.over >= 0 && crossing.under >= 0) {
@@ -32,13 +34,20 @@ public:
     }
 
 private:
-    /// Between the wishes of the two strands; a float meets a leg where the leg is.
+    /// Between the wishes of the two strands, nearer to that of a short leg; a float meets a leg where the leg
+    /// is.
     Vec3 meet(PointIndex a, PointIndex b) const {
         const Vec3& wishA = m_wish[static_cast<std::size_t>(a)];
         const Vec3& wishB = m_wish[static_cast<std::size_t>(b)];
-        Vec3 place = 0.5 * (wishA + wishB);
         const bool floatA = point(a).piece == Piece::Float;
-        if (floatA != (point(b).piece == Piece::Float)) {
+        const bool floatB = point(b).piece == Piece::Float;
+        if (!floatA && !floatB) {
+            const double spanA = m_span[static_cast<std::size_t>(a)];
+            const double spanB = m_span[static_cast<std::size_t>(b)];
+            return (spanB * wishA + spanA * wishB) / (spanA + spanB);
+        }
+        Vec3 place = 0.5 * (wishA + wishB);
+        if (floatA != floatB) {
             const Vec3& onFloat = floatA ? wishA : wishB;
             place.x() = floatA ? wishB.x() : wishA.x();
             place.y() = std::clamp(place.y(), onFloat.y() - 0.5 * m_heights.courseMm(),
@@ -121,6 +130,8 @@ private:
             const double share = static_cast<double>(p - first + 1) / static_cast<double>(last - first + 1);
             const double t = side == in ? share : 1 - share;
             Vec3& wish = m_wish[static_cast<std::size_t>(p)];
+            m_span[static_cast<std::size_t>(p)] =
+                std::max(kLeastSpan * m_heights.courseMm(), head.y() - base.y());
             wish = (1 - t) * base + t * head;
             switch (whereMet(p)) {
             case Met::Made:
@@ -197,6 +208,7 @@ private:
     const CourseHeights& m_heights;
     const std::vector<WalePlace>& m_wales; ///< by loop, where the yarn was laid
     std::vector<Vec3> m_wish;              ///< by point
+    std::vector<double> m_span;            ///< by point: height of its leg, mm
     std::vector<float> m_level;
     LoopIndex m_previous = -1; ///< loop of the last corner
 };
