@@ -55,35 +55,22 @@ std::vector<fs::path> programsIn(const fs::path& folder) {
     return files;
 }
 
-/// What is not exact yet: crossings that are missing or that nothing explains, and stitches whose piercings
-/// do not count as they should. Every program that is not named here is exact.
-struct Known {
-    std::size_t faults = 0;
-    std::size_t pullThroughs = 0;
-};
-const std::map<std::string, Known> kKnown{
-    {"patterns/float-jacquard.k", {9, 0}},
-    {"patterns/intarsia.k", {0, 1}},
-    {"patterns/tube.k", {1, 0}},
-    {"knittingutils/jacquard.k", {392, 18}},
-    {"knittingutils/spacer.k", {8, 1}},
-    {"knittingutils/plating.k", {6, 0}},
-    {"knittingutils/interlock.k", {7, 1}},
-    {"knittingutils/tube.k", {452, 12}},
-    {"basic-vol-1/rib-2x1.knitout", {60, 0}},
-    {"knitout-examples/icord-cast-on.k", {18, 1}},
-    {"loopsense/knit.k", {3, 0}},
-    {"loopsense/tuck-A.k", {4, 1}},
-    {"kniterate-backend/small-square.k", {11, 0}},
+/// Programs of which some crossings are missing or explained by nothing, and how many at most. Where loops of
+/// both beds face each other and part again, the books know from which side they came; the machine's shape
+/// does not show it.
+const std::map<std::string, std::size_t> kFaults{
+    {"knittingutils/jacquard.k", 3},
+    {"knittingutils/tube.k", 27},
+    {"knitout-examples/icord-cast-on.k", 14},
 };
 
 void expectExact(const fs::path& file) {
     const CurveReport report = exact(file).report;
     const std::string name = file.parent_path().filename() / file.filename();
-    const auto known = kKnown.find(name);
-    const Known most = known == kKnown.end() ? Known() : known->second;
-    EXPECT_LE(report.crossings.faults.size(), most.faults) << name << " of " << report.crossings.expected;
-    EXPECT_LE(report.certificate.failures.size(), most.pullThroughs) << name;
+    const auto known = kFaults.find(name);
+    const std::size_t most = known == kFaults.end() ? 0 : known->second;
+    EXPECT_LE(report.crossings.faults.size(), most) << name << " of " << report.crossings.expected;
+    EXPECT_TRUE(report.certificate.holds()) << name;
     EXPECT_GT(report.nearest.mm, 0) << name;
     EXPECT_GT(report.crossings.expected, 0U) << name;
 }
@@ -132,6 +119,7 @@ TEST(CrossingAudit, ALoopOnTheWrongSideIsAFault) {
     EXPECT_GE(audit.faults.size(), 4U);
     for (const CrossingFault& fault : audit.faults) {
         EXPECT_TRUE(fault.a.loop == loop || fault.b.loop == loop);
+        EXPECT_EQ(fault.kind, CrossingFault::Kind::WrongOrder);
     }
     EXPECT_FALSE(certifyTopology(plain.fabric, plain.curves).holds());
 }
