@@ -34,8 +34,8 @@ public:
     }
 
 private:
-    /// Between the wishes of the two strands, nearer to that of a short leg; a float meets a leg where the leg
-    /// is.
+    /// Between the wishes of the two strands, nearer to that of a short leg; a float meets a leg where the
+    /// leg is.
     Vec3 meet(PointIndex a, PointIndex b) const {
         const Vec3& wishA = m_wish[static_cast<std::size_t>(a)];
         const Vec3& wishB = m_wish[static_cast<std::size_t>(b)];

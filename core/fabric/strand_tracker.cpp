@@ -22,7 +22,7 @@ bool isWhole(double place) {
     return place == std::floor(place);
 }
 
-constexpr double kBeside = 0.45; ///< pitches from a needle to a yarn that waits there
+constexpr double kBeside = 0.45;        ///< pitches from a needle to a yarn that waits there
 constexpr double kBesideCrowded = 0.25; ///< between loops of both beds half a pitch apart
 
 constexpr std::array kFrontBeds{Bed::Front, Bed::FrontSlider};

@@ -30,7 +30,7 @@ struct Event {
     std::size_t index = 0; ///< of the projected crossing
 };
 
-constexpr PointIndex kBeyondBorder = 3;  ///< bonding points
+constexpr PointIndex kBeyondBorder = 3;   ///< bonding points
 constexpr PointIndex kPointsOnPiece = 64; ///< looked through on either side
 
 class Auditor {
@@ -243,7 +243,8 @@ private:
                     m_missing.push_back(wanted);
                     continue;
                 }
-                m_audit.faults.push_back({CrossingFault::Kind::WrongOrder, wanted->a, wanted->b, (*swapped)->node});
+                m_audit.faults.push_back(
+                    {CrossingFault::Kind::WrongOrder, wanted->a, wanted->b, (*swapped)->node});
                 m_audit.order[(*swapped)->index] = -1;
                 next = m_left.erase(swapped);
             } else {

@@ -21,9 +21,7 @@ int YarnCurveBuilder::makeExact(const fabric::Fabric& fabric, std::span<const fl
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
     int idle = 0;
     for (int round = 0; round < kMostRounds; ++round) {
-        update(positions);
-        const std::vector<ProjectedCrossing> crossings = projectCrossings(m_curves);
-        const std::size_t wrong = raise(crossings, auditCrossings(fabric, m_curves, crossings).order);
+        const std::size_t wrong = orderStrands(fabric, positions);
         if (wrong == 0) {
             return round;
         }
@@ -34,6 +32,12 @@ int YarnCurveBuilder::makeExact(const fabric::Fabric& fabric, std::span<const fl
         }
     }
     return -1;
+}
+
+std::size_t YarnCurveBuilder::orderStrands(const fabric::Fabric& fabric, std::span<const float> positions) {
+    update(positions);
+    const std::vector<ProjectedCrossing> crossings = projectCrossings(m_curves);
+    return raise(crossings, auditCrossings(fabric, m_curves, crossings).order);
 }
 
 void YarnCurveBuilder::fitLengths(std::span<const float> positions) {

@@ -97,8 +97,7 @@ private:
         const auto arc = [&](std::int32_t n) { return m_curves.arc[static_cast<std::size_t>(n)]; };
         nodes.spanFirst = nodes.first;
         nodes.spanLast = nodes.last;
-        const float leg =
-            std::min(arc(nodes.middle) - arc(nodes.first), arc(nodes.last) - arc(nodes.middle));
+        const float leg = std::min(arc(nodes.middle) - arc(nodes.first), arc(nodes.last) - arc(nodes.middle));
         while (arc(nodes.middle) - arc(nodes.spanFirst) > leg) {
             ++nodes.spanFirst;
         }

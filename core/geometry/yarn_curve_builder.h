@@ -26,6 +26,10 @@ public:
     /// stay wrong (see auditCrossings). Some tenths of a second for 10,000 loops.
     int makeExact(const fabric::Fabric& fabric, std::span<const float> positions);
 
+    /// One round of the second part of makeExact(). Returns how many crossings were not as they should be
+    /// before it.
+    std::size_t orderStrands(const fabric::Fabric& fabric, std::span<const float> positions);
+
     const YarnCurves& curves() const { return m_curves; }
     const FrameField& frames() const { return m_frames; }
 

@@ -10,6 +10,7 @@ namespace knittsim::render {
 
 namespace {
 
+constexpr int kMostRounds = 8;
 constexpr std::int32_t kChunkNodes = 128; // a multiple of kMostStride
 
 /// Between two yarns; shaders know it by its arc length.
@@ -129,6 +130,17 @@ FabricScene::FabricScene(std::shared_ptr<const fabric::Fabric> fabric, std::span
             m_machinePositions.push_back(static_cast<float>(place[c]));
         }
     }
+    m_roundsLeft = m_builder && m_fabric->loops.size() <= kMostOrdered ? kMostRounds : 0;
+}
+
+bool FabricScene::improve() {
+    if (m_roundsLeft == 0) {
+        return false;
+    }
+    --m_roundsLeft;
+    const bool moved = m_builder->orderStrands(*m_fabric, m_machinePositions) > 0;
+    m_roundsLeft = moved ? m_roundsLeft : 0;
+    return moved;
 }
 
 /// Places the yarns one after the other, each on an aligned node.

@@ -14,6 +14,9 @@ namespace knittsim::render {
 /// Yarns far away are drawn with every second or fourth node only.
 constexpr int kMostStride = 4;
 
+/// Loops of a fabric whose crossings are looked at: a round takes about 25 ms for 1000 loops.
+constexpr std::size_t kMostOrdered = 5000;
+
 /// What does not change while a fabric moves: for each node its carrier and bonding point, and where yarns
 /// lie.
 struct SceneTopology {
@@ -70,6 +73,11 @@ public:
     /// `positions`: 3 per entry, mm; empty: where the machine leaves them.
     std::shared_ptr<const SceneFrame> prepare(std::span<const float> positions);
 
+    /// Looks once more at who lies in front at every crossing and mends what is wrong; to be called between
+    /// frames, while there is time. Returns whether the next frame will differ. Does nothing for Mesh, for
+    /// fabrics above kMostOrdered loops and once all is right.
+    bool improve();
+
     /// Curves of the last frame, for picking. Not filled for Mesh.
     const geometry::YarnCurves& curves() const { return m_builder->curves(); }
 
@@ -87,6 +95,7 @@ private:
     std::unique_ptr<geometry::YarnCurveBuilder> m_builder;
     std::shared_ptr<const SceneTopology> m_topology;
     std::vector<float> m_machinePositions;
+    int m_roundsLeft = 0; ///< of improve()
 };
 
 /// Nodes between two control points: fewer for large fabrics, whose stitches are small on the screen.

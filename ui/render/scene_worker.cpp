@@ -41,13 +41,33 @@ void SceneWorker::run() {
             job = std::move(*m_next);
             m_next.reset();
         }
-        Picture picture{job.fabric, prepare(job)};
-        {
-            const std::lock_guard lock(m_mutex);
-            m_done = std::move(picture);
+        deliver(job);
+        if (improve()) {
+            deliver(job);
         }
-        m_ready();
     }
+}
+
+void SceneWorker::deliver(const Job& job) {
+    Picture picture{job.fabric, prepare(job)};
+    {
+        const std::lock_guard lock(m_mutex);
+        m_done = std::move(picture);
+    }
+    m_ready();
+}
+
+/// As long as nothing waits. Returns whether the picture differs and nothing waits.
+bool SceneWorker::improve() {
+    const auto idle = [this] {
+        const std::lock_guard lock(m_mutex);
+        return !m_stop && !m_next;
+    };
+    bool improved = false;
+    while (idle() && m_scene->improve()) {
+        improved = true;
+    }
+    return improved && idle();
 }
 
 std::shared_ptr<const SceneFrame> SceneWorker::prepare(const Job& job) {

@@ -13,7 +13,8 @@
 namespace knittsim::render {
 
 /// Prepares frames on a thread of its own, so that a window never waits for curves. Of several jobs that
-/// wait, the latest wins. All functions return at once; the destructor waits for the job at hand.
+/// wait, the latest wins; when none waits, the last picture is improved (FabricScene::improve). All functions
+/// return at once; the destructor waits for the job at hand.
 class SceneWorker {
 public:
     struct Job {
@@ -41,6 +42,8 @@ public:
 private:
     void run();
     std::shared_ptr<const SceneFrame> prepare(const Job& job);
+    void deliver(const Job& job);
+    bool improve();
 
     std::function<void()> m_ready;
     std::mutex m_mutex;

@@ -1,5 +1,7 @@
 #include "core/fabric/fabric_builder.h"
 #include "core/fabric/reduction.h"
+#include "core/formats/formats.h"
+#include "core/geometry/crossing_audit.h"
 #include "tests/support/build.h"
 #include "tests/support/lattice.h"
 #include "tests/support/random_program.h"
@@ -53,6 +55,25 @@ TEST(FabricScene, everyYarnBeginsWhereEveryStrideMeetsIt) {
                 << "shaders must see that node " << n << " is none";
         }
     }
+}
+
+TEST(FabricScene, improvingPutsTheRightStrandInFront) {
+    const std::string file = std::string(KNITTSIM_SOURCE_DIR) + "/resources/patterns/racked-rib.k";
+    const auto program = formats::readProgram(file);
+    ASSERT_TRUE(program);
+    const auto fabric =
+        std::make_shared<fabric::Fabric>(fabric::buildFabric({program.value(), machine::genericProfile()}));
+    FabricScene scene(fabric, {}, DrawStyle::Yarn);
+    const auto wrong = [&] {
+        scene.prepare({});
+        return geometry::auditCrossings(*fabric, scene.curves(), geometry::projectCrossings(scene.curves()))
+            .faults.size();
+    };
+    EXPECT_GT(wrong(), 0U) << "the sample asks for nothing";
+    while (scene.improve()) {
+    }
+    EXPECT_EQ(wrong(), 0U);
+    EXPECT_FALSE(scene.improve()) << "all is right";
 }
 
 TEST(FabricScene, aCrossingTellsTheWayOfBothStrands) {
