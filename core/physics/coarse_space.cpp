@@ -63,13 +63,20 @@ private:
     std::vector<std::vector<Block>> m_rows;
 };
 
+/// Of two compressed matrices.
+bool hasSamePattern(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b) {
+    return a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
+           std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize() + 1, b.outerIndexPtr()) &&
+           std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
 } // namespace
 
 void CoarseSpace::cut(const Model& model, int entriesAcross) {
     const Eigen::Matrix3Xd& layout = model.layout();
     m_patchCount = 0;
     m_usable = false;
-    m_analysed = false;
+    m_matrix.resize(0, 0);
     m_patch.clear();
     if (layout.cols() == 0) {
         return;
@@ -113,11 +120,13 @@ bool CoarseSpace::build(const Model& model, double massFactor) {
         sums.add(e, e, (pin + massFactor * model.mass()[e]) * Matrix3::Identity());
     }
     const auto triplets = sums.triplets();
-    m_matrix.resize(3 * m_patchCount, 3 * m_patchCount);
-    m_matrix.setFromTriplets(triplets.begin(), triplets.end());
-    if (!m_analysed) {
+    Eigen::SparseMatrix<double> matrix(3 * m_patchCount, 3 * m_patchCount);
+    matrix.setFromTriplets(triplets.begin(), triplets.end());
+    // Energies that act only now and then come and go in the pattern.
+    const bool asBefore = hasSamePattern(matrix, m_matrix);
+    m_matrix.swap(matrix);
+    if (!asBefore) {
         m_solver.analyzePattern(m_matrix);
-        m_analysed = true;
     }
     m_solver.factorize(m_matrix);
     m_usable = m_solver.info() == Eigen::Success;

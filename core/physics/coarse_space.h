@@ -33,8 +33,7 @@ private:
     std::vector<int> m_patch; ///< by entry
     int m_patchCount = 0;
     bool m_usable = false;
-    bool m_analysed = false;
-    Eigen::SparseMatrix<double> m_matrix;
+    Eigen::SparseMatrix<double> m_matrix; ///< the last one, whose pattern m_solver knows
     Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> m_solver;
 };
 

@@ -63,5 +63,33 @@ TEST(CoarseSpace, KeepsTheNumberOfPatchesBounded) {
     EXPECT_GT(space.patchCount(), CoarseSpace::kMostPatches / 4);
 }
 
+/// Floats pull only when they are taut: patches that lie far apart are joined then, and only then.
+TEST(CoarseSpace, TakesAFabricWhoseFloatsGetTaut) {
+    std::string lines = "in 1\nin 2\n";
+    for (int course = 0; course < 40; ++course) {
+        const bool right = course % 2 == 0;
+        lines += knittsim::test::pass("knit", 'f', right ? 1 : 38, right ? 38 : 1, 1);
+        lines += knittsim::test::pass("knit", 'f', right ? 0 : 39, right ? 39 : 0, 2, 39);
+    }
+    const fabric::Fabric f = knittsim::test::build(lines);
+    const BondingPointModel net = buildBondingPointModel(f, {});
+    Model& model = *net.model;
+    const Vector x = machinePositions(f);
+    CoarseSpace space;
+    space.cut(model);
+    model.linearise(0.2 * x);
+    ASSERT_TRUE(space.build(model));
+    model.linearise(4 * x);
+    ASSERT_TRUE(space.build(model));
+    CoarseSpace fresh;
+    fresh.cut(model);
+    ASSERT_TRUE(fresh.build(model));
+    Vector given = Vector::Zero(x.size());
+    Vector wanted = given;
+    space.apply(x, given);
+    fresh.apply(x, wanted);
+    EXPECT_LT((given - wanted).norm(), 1e-9 * wanted.norm());
+}
+
 } // namespace
 } // namespace knittsim::physics
