@@ -44,7 +44,9 @@ private:
         if (!floatA && !floatB) {
             const double spanA = m_span[static_cast<std::size_t>(a)];
             const double spanB = m_span[static_cast<std::size_t>(b)];
-            return (spanB * wishA + spanA * wishB) / (spanA + spanB);
+            Vec3 place = (spanB * wishA + spanA * wishB) / (spanA + spanB);
+            place.x() = (spanA * wishA.x() + spanB * wishB.x()) / (spanA + spanB);
+            return place;
         }
         Vec3 place = 0.5 * (wishA + wishB);
         if (floatA != floatB) {

@@ -7,8 +7,42 @@ namespace knittsim::fabric {
 namespace {
 
 constexpr double kFacing = 0.2;      ///< pitches: needles of both beds nearer than this face each other
+constexpr double kSame = 0.01;    ///< pitches
 constexpr double kHalfPitch = 0.5;   ///< that they stand apart then
 constexpr double kNarrowHalf = 0.12; ///< half width of the loops then
+
+/// Loops of both beds that were made face to face and pass each other later stand side by side from the
+/// beginning: the rear one there where it comes from.
+void partFacing(const Fabric& fabric, std::vector<WalePlace>& places) {
+    const auto& made = fabric.made.loops;
+    std::vector<char> parted(made.size(), 0);
+    const auto part = [&](std::size_t loop, double way) {
+        if (parted[loop] == 0) {
+            parted[loop] = 1;
+            places[loop].centre += way;
+            places[loop].halfWidth = kNarrowHalf;
+        }
+    };
+    for (const Crossing& crossing : fabric.crossings) {
+        if (crossing.over < 0 || crossing.under < 0) {
+            continue;
+        }
+        const BondingPoint& over = fabric.points[static_cast<std::size_t>(crossing.over)];
+        const BondingPoint& under = fabric.points[static_cast<std::size_t>(crossing.under)];
+        const auto front = static_cast<std::size_t>(over.loop);
+        const auto rear = static_cast<std::size_t>(under.loop);
+        if (over.piece == Piece::Float || under.piece == Piece::Float ||
+            !machine::isFront(made[front].needle.bed) || machine::isFront(made[rear].needle.bed)) {
+            continue;
+        }
+        const double apart = machine::positionPitches(made[front].needle, made[front].rack) -
+                             machine::positionPitches(made[rear].needle, made[rear].rack);
+        if (std::abs(apart) < kSame) {
+            part(front, -0.5 * kHalfPitch * crossing.sign);
+            part(rear, 0.5 * kHalfPitch * crossing.sign);
+        }
+    }
+}
 
 /// Where each loop would stand by its own pass.
 std::vector<WalePlace> placesMade(const Fabric& fabric) {
@@ -42,6 +76,7 @@ std::vector<WalePlace> placesMade(const Fabric& fabric) {
             places[p].halfWidth = places[i].halfWidth = kNarrowHalf;
         }
     }
+    partFacing(fabric, places);
     return places;
 }
 
