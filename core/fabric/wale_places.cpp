@@ -7,7 +7,7 @@ namespace knittsim::fabric {
 namespace {
 
 constexpr double kFacing = 0.2;      ///< pitches: needles of both beds nearer than this face each other
-constexpr double kSame = 0.01;    ///< pitches
+constexpr double kSame = 0.01;       ///< pitches
 constexpr double kHalfPitch = 0.5;   ///< that they stand apart then
 constexpr double kNarrowHalf = 0.12; ///< half width of the loops then
 

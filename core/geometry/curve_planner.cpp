@@ -47,7 +47,8 @@ constexpr float kArcLeast = 0.35F; ///< diameters
 
 constexpr double kSteepCourses = 0.75; ///< a float that rises by more runs up the selvedge
 constexpr double kBesideEdge = 0.1;    ///< pitches
-constexpr double kFarPitches = 1.2;    ///< corners farther apart across are joined by a float or a long leg
+constexpr double kTallCourses = 10;
+constexpr double kFarPitches = 1.2; ///< corners farther apart across are joined by a float or a long leg
 
 float sideSign(fabric::Side side) {
     return side == fabric::Side::Right ? 1.0F : -1.0F;
@@ -176,6 +177,11 @@ bool CurvePlanner::isSteep(const Station& a, const Station& b) const {
            along > std::max(across, kSteepCourses * m_fabric.courseMm);
 }
 
+/// The leg of a loop that was held for many courses.
+bool CurvePlanner::isTall(const Station& a, const Station& b) const {
+    return std::abs(placeOf(a).y() - placeOf(b).y()) > kTallCourses * m_fabric.courseMm;
+}
+
 /// The yarn turns round, at a selvedge or from one bed to the other.
 bool CurvePlanner::isTurn(const Station& a, const Station& b) {
     return a.side == b.side;
@@ -290,7 +296,7 @@ void CurvePlanner::addHeadArc(const Station& a, const Station& b) {
 void CurvePlanner::addLeg(const Station& a, const Station& b) {
     const float nearA = a.incoming ? a.upper : a.lower;
     const float nearB = b.incoming ? b.lower : b.upper;
-    const bool far = isFarAcross(a, b);
+    const bool far = isFarAcross(a, b) || isTall(a, b);
     if (far) {
         addReach(a, b, a, nearA);
     }

@@ -48,6 +48,7 @@ private:
     const Vec3& placeOf(const Station& station) const { return placeOf(station.anchor.entry); }
     bool isFarAcross(const Station& a, const Station& b) const;
     bool isSteep(const Station& a, const Station& b) const;
+    bool isTall(const Station& a, const Station& b) const;
     static bool isTurn(const Station& a, const Station& b);
     bool isKink(const Station& a, const Station& b) const;
     float stored(const Station& a) const {

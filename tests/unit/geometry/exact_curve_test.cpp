@@ -55,13 +55,12 @@ std::vector<fs::path> programsIn(const fs::path& folder) {
     return files;
 }
 
-/// Programs of which some crossings are missing or explained by nothing, and how many at most. Where loops of
-/// both beds face each other and part again, the books know from which side they came; the machine's shape
-/// does not show it.
+/// Programs of which some crossings are missing or explained by nothing, and how many at most. In the first
+/// a float meets the loops of a needle in another order than they stand side by side; in the second, loops
+/// face each other again after one has passed behind the other.
 const std::map<std::string, std::size_t> kFaults{
     {"knittingutils/jacquard.k", 3},
-    {"knittingutils/tube.k", 27},
-    {"knitout-examples/icord-cast-on.k", 14},
+    {"knitout-examples/icord-cast-on.k", 6},
 };
 
 void expectExact(const fs::path& file) {
