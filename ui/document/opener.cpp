@@ -4,7 +4,8 @@
 #include "core/fabric/fabric_builder.h"
 #include "core/formats/formats.h"
 #include "core/formats/knitout/reader.h"
-#include "core/machine/choose_profile.h"
+#include "core/machine/checks/check.h"
+#include "core/machine/profile_library.h"
 #include "ui/document/mailbox.h"
 
 #include <QThreadPool>
@@ -73,10 +74,20 @@ std::shared_ptr<const OpenedFile> openFile(const OpenRequest& request, const yar
         return file;
     }
     tell(OpeningStage::Machine);
-    machine::MachineProfile profile = machine::chooseProfile(program->header);
-    file->timeline = std::make_shared<machine::Timeline>(std::move(program).value(), std::move(profile));
-    const Diagnostics& found = file->timeline->diagnostics();
-    file->diagnostics.insert(file->diagnostics.end(), found.begin(), found.end());
+    const auto take = [&](const Diagnostics& found) {
+        file->diagnostics.insert(file->diagnostics.end(), found.begin(), found.end());
+    };
+    Diagnostics problems;
+    const auto machines = machine::ProfileLibrary::read(machine::profileFolders(), problems);
+    take(problems);
+    auto profile = machine::chooseProfile(program.value(), machines);
+    take(profile.diagnostics());
+    if (!profile) {
+        return file;
+    }
+    file->timeline =
+        std::make_shared<machine::Timeline>(std::move(program).value(), std::move(profile).value());
+    take(machine::check(*file->timeline));
     tell(OpeningStage::Fabric);
     file->fabric = std::make_shared<fabric::Fabric>(fabric::buildFabric(*file->timeline));
     file->grid = std::make_shared<StitchGrid>(file->timeline->loops(), *file->fabric);
