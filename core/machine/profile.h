@@ -18,7 +18,7 @@ struct ProfileLimits {
     int tucksOnNeedle = 4; ///< tucks above each other without a stitch
     /// Way between the needles of two neighbouring loops of a yarn, as a multiple of the yarn between them.
     /// Above 1 the yarn comes out of the loops beside them.
-    double stretch = 1.6;
+    double stretch = 1.8;
 
     bool operator==(const ProfileLimits&) const = default;
 };

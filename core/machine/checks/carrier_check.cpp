@@ -4,8 +4,6 @@
 
 #include "core/machine/checks/groups.h"
 
-#include <limits>
-
 namespace knittsim::machine {
 
 namespace {
@@ -74,14 +72,14 @@ private:
     void checkRails(const Operation& op, const MachineState& state) {
         const double to = positionPitches(op.needle, state.rack);
         for (const CarrierIndex c : op.carriers) {
-            const Carrier& moving = m_program.header.carriers[c];
-            constexpr double kFar = std::numeric_limits<double>::infinity();
-            const double from = state.carriers[c].placed ? state.carriers[c].place.pitches
-                                : moving.parksRight      ? kFar
-                                                         : -kFar;
+            if (!state.carriers[c].placed) {
+                continue; // it is not known from which side it comes
+            }
+            const double from = state.carriers[c].place.pitches;
+            const int rail = m_program.header.carriers[c].rail;
             for (std::size_t o = 0; o < state.carriers.size(); ++o) {
                 const CarrierState& other = state.carriers[o];
-                if (o == c || !other.placed || m_program.header.carriers[o].rail != moving.rail) {
+                if (o == c || !other.placed || m_program.header.carriers[o].rail != rail) {
                     continue;
                 }
                 const double at = other.place.pitches;

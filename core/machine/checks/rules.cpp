@@ -36,13 +36,13 @@ constexpr auto kRules = std::to_array<Rule>({
     {"KS0223", Severity::Error}, // stitch while sliders hold
     {"KS0224", Severity::Info},  // nothing to move or drop
     // carrier_check
-    {"KS0225", Severity::Warning}, // carrier must be kicked back
-    {"KS0226", Severity::Info},    // waiting yarn crosses a working carrier
-    {"KS0227", Severity::Error},   // carriers collide
+    {"KS0225", Severity::Info},  // carrier must be kicked back
+    {"KS0226", Severity::Info},  // waiting yarn crosses a working carrier
+    {"KS0227", Severity::Error}, // carriers collide
     // loop_check
     {"KS0228", Severity::Info},    // knit on an empty needle
     {"KS0229", Severity::Warning}, // dropped loop unravels
-    {"KS0230", Severity::Warning}, // loops left at the end
+    {"KS0230", Severity::Info},    // loops left at the end
     {"KS0231", Severity::Warning}, // too many loops on a needle
     {"KS0232", Severity::Warning}, // loop held too long
     // yarn_check
