@@ -19,7 +19,7 @@ public:
     StretchCheck(const Timeline& timeline, Findings& findings)
         : CheckGroup(timeline, findings), m_before(m_loops.loops.size(), kNone),
           m_after(m_loops.loops.size(), kNone), m_needle(m_loops.loops.size()),
-          m_told(m_loops.loops.size(), false) {
+          m_told(m_loops.loops.size(), false), m_acrossAt(m_loops.loops.size(), kNone) {
         std::vector<LoopIndex> last;
         for (std::size_t i = 0; i < m_loops.loops.size(); ++i) {
             const auto yarn = static_cast<std::size_t>(m_loops.loops[i].yarn);
@@ -38,41 +38,34 @@ public:
         const Loop& made = loopAt(loop);
         for (const LoopIndex parent : m_loops.parentsOf(loop)) {
             if (made.kind != OperationKind::Split) {
-                leave(parent);
+                hang(parent, std::nullopt);
             }
         }
-        needleOf(loop) = made.needle;
-        m_rear += isFront(made.needle.bed) ? 0 : 1;
+        hang(loop, made.needle);
     }
 
-    void loopsMoved(Needle from, Needle to, std::span<const LoopIndex> loops) override {
+    void loopsMoved(Needle, Needle to, std::span<const LoopIndex> loops) override {
         for (const LoopIndex loop : loops) {
-            needleOf(loop) = to;
+            hang(loop, to);
             m_moved.push_back(loop);
         }
-        const auto count = static_cast<std::int64_t>(loops.size());
-        m_rear += isFront(from.bed) == isFront(to.bed) ? 0 : isFront(to.bed) ? -count : count;
     }
 
     void loopsDropped(Needle, std::span<const LoopIndex> loops) override {
         for (const LoopIndex loop : loops) {
-            leave(loop);
+            hang(loop, std::nullopt);
         }
     }
 
     void after(const Operation& op, const MachineState& state) override {
-        if (op.kind == OperationKind::Rack && m_rear > 0) {
-            for (const Bed bed : {Bed::Rear, Bed::RearSlider}) {
-                const NeedleRow& row = state.beds[static_cast<std::size_t>(bed)];
-                for (std::int32_t i = row.first(); i < row.end(); ++i) {
-                    for (const LoopIndex loop : row.at(i)) {
-                        checkBoth(loop, state.rack);
-                    }
-                }
+        if (op.kind == OperationKind::Rack) {
+            for (const LoopIndex second : m_across) {
+                checkPair(second, state.rack);
             }
         }
         for (const LoopIndex loop : m_moved) {
-            checkBoth(loop, state.rack);
+            checkPair(loop, state.rack);
+            checkPair(m_after[static_cast<std::size_t>(loop)], state.rack);
         }
         m_moved.clear();
     }
@@ -80,20 +73,38 @@ public:
 private:
     std::optional<Needle>& needleOf(LoopIndex loop) { return m_needle[static_cast<std::size_t>(loop)]; }
 
-    void leave(LoopIndex loop) {
-        if (needleOf(loop) && !isFront(needleOf(loop)->bed)) {
-            --m_rear;
+    void hang(LoopIndex loop, std::optional<Needle> needle) {
+        needleOf(loop) = needle;
+        sortOut(loop);
+        sortOut(m_after[static_cast<std::size_t>(loop)]);
+    }
+
+    /// A rack pulls only at pairs from bed to bed: keeps them in m_across.
+    void sortOut(LoopIndex second) {
+        if (second == kNone) {
+            return;
         }
-        needleOf(loop).reset();
+        const LoopIndex first = m_before[static_cast<std::size_t>(second)];
+        const bool across = first != kNone && needleOf(first) && needleOf(second) &&
+                            isFront(needleOf(first)->bed) != isFront(needleOf(second)->bed);
+        std::int32_t& at = m_acrossAt[static_cast<std::size_t>(second)];
+        if (across && at == kNone) {
+            at = static_cast<std::int32_t>(m_across.size());
+            m_across.push_back(second);
+        } else if (!across && at != kNone) {
+            m_acrossAt[static_cast<std::size_t>(m_across.back())] = at;
+            m_across[static_cast<std::size_t>(at)] = m_across.back();
+            m_across.pop_back();
+            at = kNone;
+        }
     }
 
-    void checkBoth(LoopIndex loop, double rack) {
-        checkPair(m_before[static_cast<std::size_t>(loop)], loop, rack);
-        checkPair(loop, m_after[static_cast<std::size_t>(loop)], rack);
-    }
-
-    void checkPair(LoopIndex a, LoopIndex b, double rack) {
-        if (a == kNone || b == kNone || m_told[static_cast<std::size_t>(b)] || !needleOf(a) || !needleOf(b)) {
+    void checkPair(LoopIndex b, double rack) {
+        if (b == kNone || m_told[static_cast<std::size_t>(b)]) {
+            return;
+        }
+        const LoopIndex a = m_before[static_cast<std::size_t>(b)];
+        if (a == kNone || !needleOf(a) || !needleOf(b)) {
             return;
         }
         const Needle from = *needleOf(a);
@@ -115,7 +126,8 @@ private:
     std::vector<std::optional<Needle>> m_needle; ///< by loop: where it hangs
     std::vector<bool> m_told;                    ///< by the second loop of a pair
     std::vector<LoopIndex> m_moved;              ///< by the present operation
-    std::int64_t m_rear = 0;                     ///< loops on the rear bed
+    std::vector<LoopIndex> m_across;             ///< second loops of pairs from bed to bed
+    std::vector<std::int32_t> m_acrossAt;        ///< by second loop: its place in m_across, or kNone
 };
 
 } // namespace
