@@ -1,6 +1,7 @@
 // Programs with one fault each. The lines of a program say themselves what is wrong with them: a comment
 // "-> KS0201" names the findings of its line, "file -> KS0242" those of the file.
 
+#include "core/base/message_table.h"
 #include "core/formats/formats.h"
 #include "core/machine/checks/check.h"
 #include "core/machine/checks/findings.h"
@@ -80,6 +81,8 @@ TEST_P(BrokenProgram, IsFoundAtItsLineAndNothingElseIs) {
     Expected found;
     for (const Diagnostic& finding : findAll(GetParam())) {
         const std::pair<int, std::string> place{finding.place.line, finding.id};
+        EXPECT_EQ((causeText(finding) + cureText(finding)).find('{'), std::string::npos)
+            << finding.id << " lacks an argument";
         if (finding.severity != Severity::Info || expected.contains(place)) {
             found.insert(place);
         }
