@@ -87,7 +87,11 @@ std::shared_ptr<const OpenedFile> openFile(const OpenRequest& request, const yar
     }
     file->timeline =
         std::make_shared<machine::Timeline>(std::move(program).value(), std::move(profile).value());
-    take(machine::check(*file->timeline));
+    const auto waivers = machine::waiversOf(file->timeline->profile());
+    take(waivers.diagnostics());
+    take(machine::applyWaivers(machine::check(*file->timeline),
+                               waivers ? waivers.value() : std::vector<machine::Waiver>())
+             .findings);
     tell(OpeningStage::Fabric);
     file->fabric = std::make_shared<fabric::Fabric>(fabric::buildFabric(*file->timeline));
     file->grid = std::make_shared<StitchGrid>(file->timeline->loops(), *file->fabric);
