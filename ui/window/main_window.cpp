@@ -33,6 +33,8 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace knittsim::ui {
 
 namespace {
@@ -250,9 +252,10 @@ void MainWindow::takeFabric() {
 }
 
 void MainWindow::takeProblems() {
-    const std::size_t count = m_document.problems().size();
-    m_problemDock->setVisible(
-        hasWarnings(m_document.problems())); // notes alone do not push themselves forward
+    const Diagnostics& found = m_document.problems();
+    const auto notes = std::ranges::count(found, Severity::Info, &Diagnostic::severity);
+    const auto count = static_cast<std::ptrdiff_t>(found.size()) - notes;
+    m_problemDock->setVisible(count > 0); // notes alone do not push themselves forward
     m_problemDock->setWindowTitle(count > 0 ? tr("Problems (%1)").arg(count) : tr("Problems"));
     takeActions();
 }

@@ -101,7 +101,7 @@ private:
             const double beyond = (at - other.place.pitches) * sign(other.place.side);
             if (beyond > 0 && beyond <= m_profile.carrierStopPitches) {
                 m_told[o] = true; // until it moves
-                m_findings.reportRun("KS0226", {toString(op.needle), nameOf(carrier), "1"}, 2, op.needle);
+                m_findings.reportRun("KS0226", {toString(op.needle), nameOf(carrier)}, op.needle);
             }
         }
     }

@@ -29,14 +29,13 @@ void Findings::report(std::string_view rule, std::vector<std::string> arguments,
     m_findings.push_back({std::string(rule), known->severity, std::move(place), std::move(arguments)});
 }
 
-void Findings::reportRun(std::string_view rule, std::vector<std::string> arguments, std::size_t countAt,
-                         Needle needle) {
+void Findings::reportRun(std::string_view rule, std::vector<std::string> arguments, Needle needle) {
     Kept& kept = m_kept[rule];
     if (kept.last + 1 == m_operation) {
         kept.last = m_operation;
         ++kept.runLength;
         if (kept.runListed) {
-            m_findings[kept.runFinding].arguments[countAt] = std::to_string(kept.runLength);
+            m_findings[kept.runFinding].arguments.back() = std::to_string(kept.runLength) + " in a row";
         }
         return;
     }
@@ -44,6 +43,7 @@ void Findings::reportRun(std::string_view rule, std::vector<std::string> argumen
     kept.runLength = 1;
     kept.runListed = kept.count < kMaxFindingsOfRule;
     kept.runFinding = m_findings.size();
+    arguments.emplace_back("once");
     report(rule, std::move(arguments), needle);
 }
 

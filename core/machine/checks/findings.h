@@ -24,9 +24,8 @@ public:
                 std::optional<Needle> needle = std::nullopt, OperationIndex operation = -1);
 
     /// Findings of one rule at operations that follow each other become one, at the first of them.
-    /// `arguments` are those of the first; their number is put at `countAt`.
-    void reportRun(std::string_view rule, std::vector<std::string> arguments, std::size_t countAt,
-                   Needle needle);
+    /// `arguments` are those of the first; "once" or "5 in a row" is added as the last one.
+    void reportRun(std::string_view rule, std::vector<std::string> arguments, Needle needle);
 
     /// All findings. Leaves nothing behind.
     Diagnostics take();

@@ -22,7 +22,7 @@ public:
         }
         const bool draws = op.kind == OperationKind::Knit || op.kind == OperationKind::Split;
         if (draws && state.loopsOn(op.needle).empty()) {
-            m_findings.reportRun("KS0228", {toString(op.needle), "1"}, 1, op.needle);
+            m_findings.reportRun("KS0228", {toString(op.needle)}, op.needle);
         }
     }
 

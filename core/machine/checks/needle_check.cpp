@@ -125,7 +125,7 @@ private:
     void checkEmpty(const Operation& op, const MachineState& state) {
         const bool takes = op.kind == OperationKind::Drop || op.kind == OperationKind::Xfer;
         if (takes && state.loopsOn(op.needle).empty()) {
-            m_findings.reportRun("KS0224", {toString(op.needle), "1"}, 1, op.needle);
+            m_findings.reportRun("KS0224", {toString(op.needle)}, op.needle);
         }
     }
 

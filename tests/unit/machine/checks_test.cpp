@@ -130,6 +130,14 @@ TEST(Checks, StretchComparesTheWayWithTheYarn) {
     EXPECT_THAT(found[0].arguments, ElementsAre("f0", "b1", "6.0", "5.0"));
 }
 
+TEST(Checks, NotesOfOperationsInARowAreOne) {
+    const auto found = findings(
+        "in 1\nknit + f0 1\nknit + f1 1\nknit + f2 1\nrack 1\nrack 0\nknit - f9 1\nout 1\n", "KS0228");
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_THAT(found[0].arguments, ElementsAre("f0", "3 in a row"));
+    EXPECT_THAT(found[1].arguments, ElementsAre("f9", "once"));
+}
+
 TEST(Checks, LoopsFromTheSliderCountAsGivenBack) {
     EXPECT_THAT(findings("in 1\ntuck + f0 1\nxfer f0 bs0\nxfer bs0 f0\nknit - f0 1\nout 1\n", "KS0223"),
                 IsEmpty());
