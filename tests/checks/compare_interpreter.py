@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Every error that the open knitout interpreter finds, `knittsim-cli check` finds as well, or REASONS says why not.
 
-compare_interpreter.py CLI PROFILES FOLDER...   exit 77: the interpreter is not installed
+compare_interpreter.py CLI PROFILES PROGRAMS MACHINE_DATA   exit 77: the interpreter is not installed
 
-PROFILES holds a machine with the interpreter's own limits. The interpreter reads less than knitout 2, so it is given a
+PROFILES holds a machine with the interpreter's own limits. $KNITTSIM_MACHINE_DATA names another MACHINE_DATA. The interpreter reads less than knitout 2, so it is given a
 copy of each program, line by line, without what it does not know (extensions, some headers, negative needles, names of
 carriers, knit without carriers). It stops at its first error. It is slow, so long programs are left out.
 """
@@ -120,7 +120,8 @@ def rules_for(text):
 
 
 def main():
-    cli, profiles, *folders = sys.argv[1:]
+    cli, profiles, programs, machine_data = sys.argv[1:]
+    folders = (programs, os.environ.get("KNITTSIM_MACHINE_DATA", machine_data))
     files = sorted(p for folder in folders for p in Path(folder).rglob("*")
                    if p.suffix in (".k", ".knitout") and p.stat().st_size <= MAX_BYTES)
     ours = our_findings(cli, profiles, files)

@@ -55,6 +55,18 @@ std::vector<OperationIndex> endsOfCourses(const machine::LoopTable& made, const 
     return ends;
 }
 
+/// The course in which a finding's operation stitches, or the last one before it.
+void nameCourses(const machine::LoopTable& made, const fabric::Fabric& fabric, Diagnostics& findings) {
+    for (Diagnostic& finding : findings) {
+        const auto after =
+            std::ranges::upper_bound(made.loops, finding.place.operation, {}, &machine::Loop::operation);
+        const auto loop = static_cast<std::size_t>(after - made.loops.begin());
+        if (finding.place.operation >= 0 && loop > 0 && loop <= fabric.loops.size()) {
+            finding.place.course = fabric.loops[loop - 1].course;
+        }
+    }
+}
+
 } // namespace
 
 std::shared_ptr<const OpenedFile> openFile(const OpenRequest& request, const yarn::YarnLibrary& library,
@@ -94,6 +106,7 @@ std::shared_ptr<const OpenedFile> openFile(const OpenRequest& request, const yar
              .findings);
     tell(OpeningStage::Fabric);
     file->fabric = std::make_shared<fabric::Fabric>(fabric::buildFabric(*file->timeline));
+    nameCourses(file->timeline->loops(), *file->fabric, file->diagnostics);
     file->grid = std::make_shared<StitchGrid>(file->timeline->loops(), *file->fabric);
     file->carriers = machine::carrierYarns(file->timeline->program(), library, yarn::defaultYarn());
     file->passEnds = endsOfPasses(file->timeline->program());

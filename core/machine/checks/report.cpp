@@ -30,7 +30,6 @@ Json findingJson(const Diagnostic& finding) {
             {"line", known(finding.place.line)},
             {"column", known(finding.place.column)},
             {"operation", known(finding.place.operation)},
-            {"course", known(finding.place.course)},
             {"needle", finding.place.needle.empty() ? Json(nullptr) : Json(finding.place.needle)},
             {"cause", causeText(finding)},
             {"cure", cureText(finding)}};

@@ -15,7 +15,7 @@ struct CheckedFile {
 };
 
 /// JSON: "files" with "file", "profile", "errors", "warnings", "infos", "findings"; each finding has "rule",
-/// "name", "severity", "line", "column", "operation", "course", "needle" (null where not known), "cause",
+/// "name", "severity", "line", "column", "operation", "needle" (null where not known), "cause",
 /// "cure" and, where its rule is turned off, "off_reason".
 std::string toJson(std::span<const CheckedFile> files);
 

@@ -258,6 +258,9 @@ private slots:
         child<QToolButton>("showWarnings")->click();
         QCOMPARE(list->problemCount(), 3);
 
+        QCOMPARE(list->model()->index(1, DiagnosticsModel::Where).data().toString(),
+                 QStringLiteral("line 4, course 1"));
+
         // The rack is the second error: F8 walks over what is shown.
         QTest::keyClick(m_window.get(), Qt::Key_F8);
         QTest::keyClick(m_window.get(), Qt::Key_F8);
