@@ -14,6 +14,7 @@ constexpr int kUnusable = 2; ///< cannot read, cannot write, bad usage
 /// Each adds its subcommand to `app`; the command, when chosen, is put into `chosen` and returns the exit
 /// code.
 using Command = std::function<int()>;
+void addCheck(CLI::App& app, Command& chosen);
 void addConvert(CLI::App& app, Command& chosen);
 void addInfo(CLI::App& app, Command& chosen);
 void addRelax(CLI::App& app, Command& chosen);

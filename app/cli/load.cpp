@@ -6,7 +6,7 @@
 #include "core/fabric/reduction.h"
 #include "core/formats/formats.h"
 #include "core/machine/carrier_yarns.h"
-#include "core/machine/choose_profile.h"
+#include "core/machine/profile_library.h"
 #include "core/yarn/yarn_library.h"
 
 #include <fmt/core.h>
@@ -78,12 +78,20 @@ std::shared_ptr<const machine::Timeline> loadTimeline(const LoadOptions& options
     if (!program) {
         return nullptr;
     }
-    machine::MachineProfile profile = machine::chooseProfile(program->header);
-    if (options.loopLengthMm > 0) {
-        profile.defaultLoopLengthMm = options.loopLengthMm;
-        profile.stitchTable.clear();
+    Diagnostics problems;
+    const auto library = machine::ProfileLibrary::read(machine::profileFolders(), problems);
+    print(problems);
+    auto profile = machine::chooseProfile(program.value(), library);
+    print(profile.diagnostics());
+    if (!profile) {
+        return nullptr;
     }
-    auto timeline = std::make_shared<machine::Timeline>(std::move(program).value(), std::move(profile));
+    if (options.loopLengthMm > 0) {
+        profile->defaultLoopLengthMm = options.loopLengthMm;
+        profile->stitchTable.clear();
+    }
+    auto timeline =
+        std::make_shared<machine::Timeline>(std::move(program).value(), std::move(profile).value());
     print(timeline->diagnostics());
     return timeline;
 }

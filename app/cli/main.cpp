@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
     app.footer("Exit code: 0 fine, 1 problems found, 2 cannot read or bad usage.");
     Command chosen;
     addInfo(app, chosen);
+    addCheck(app, chosen);
     addRelax(app, chosen);
     addRender(app, chosen);
     addConvert(app, chosen);

@@ -21,4 +21,9 @@ bool hasErrors(const Diagnostics& diagnostics) {
                        [](const Diagnostic& d) { return d.severity == Severity::Error; });
 }
 
+bool hasWarnings(const Diagnostics& diagnostics) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(),
+                       [](const Diagnostic& d) { return d.severity != Severity::Info; });
+}
+
 } // namespace knittsim

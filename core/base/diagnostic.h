@@ -38,4 +38,7 @@ using Diagnostics = std::vector<Diagnostic>;
 
 bool hasErrors(const Diagnostics& diagnostics);
 
+/// Something worse than a note.
+bool hasWarnings(const Diagnostics& diagnostics);
+
 } // namespace knittsim

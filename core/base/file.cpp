@@ -1,5 +1,6 @@
 #include "core/base/file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -46,6 +47,20 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxB
     return bytes;
 }
 
+std::vector<std::filesystem::path> jsonFiles(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> paths;
+    std::error_code code;
+    for (std::filesystem::directory_iterator entry(folder, code), end; !code && entry != end;
+         entry.increment(code)) {
+        const std::string name = entry->path().filename().string();
+        if (name.ends_with(".json") && !name.ends_with(".schema.json")) {
+            paths.push_back(entry->path());
+        }
+    }
+    std::ranges::sort(paths);
+    return paths;
+}
+
 Result<Written> writeFileAtomically(const std::filesystem::path& wanted, std::string_view bytes) {
     // A symbolic link stays one: its target is replaced.
     std::error_code code;
@@ -75,8 +90,8 @@ Result<Written> writeFileAtomically(const std::filesystem::path& wanted, std::st
         using std::filesystem::perms;
         const auto status = std::filesystem::status(path, code);
         const perms mode = std::filesystem::exists(status) ? status.permissions()
-                                                             : perms::owner_read | perms::owner_write |
-                                                                   perms::group_read | perms::others_read;
+                                                           : perms::owner_read | perms::owner_write |
+                                                                 perms::group_read | perms::others_read;
         std::filesystem::permissions(temporary, mode, code);
         std::filesystem::rename(temporary, path, code);
         error = code.value();

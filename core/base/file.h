@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace knittsim {
 
@@ -15,6 +16,9 @@ constexpr std::size_t kMaxFileBytes = std::size_t{256} << 20;
 
 /// Reads a whole file. Errors: KS0001, KS0007 (checked before memory is taken).
 Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxBytes = kMaxFileBytes);
+
+/// The *.json files of a folder by name, without *.schema.json; empty where there is no such folder.
+std::vector<std::filesystem::path> jsonFiles(const std::filesystem::path& folder);
 
 struct Written {};
 

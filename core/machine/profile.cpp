@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kMaxProfileBytes = std::size_t{1} << 20;
 constexpr double kMaxLoopLengthMm = 200;
 constexpr std::size_t kMaxStitchEntries = 1000;
+constexpr double kBedLengthTolerance = 0.02;
 
 void readRack(JsonReader reader, MachineProfile& profile) {
     profile.minRack = reader.number("min", -1000, 0);
@@ -66,6 +67,50 @@ std::vector<std::pair<double, double>> readStitchTable(JsonReader& reader, const
     return table;
 }
 
+std::vector<std::string> readMachineNames(JsonReader& reader) {
+    std::vector<std::string> names;
+    for (const nlohmann::json& value : reader.array("machine_names", 0, 100)) {
+        const std::string name = value.is_string() ? value.get<std::string>() : std::string();
+        if (name.empty() || name == "*") {
+            reader.report("machine_names", value.dump(), "names as ';;Machine:' gives them");
+            break;
+        }
+        names.push_back(name);
+    }
+    return names;
+}
+
+ProfileLimits readLimits(JsonReader reader) {
+    ProfileLimits limits;
+    limits.floatMm = reader.number("float_mm", 1, 10'000);
+    limits.floatNeedles = reader.number("float_needles", 1, 10'000);
+    limits.heldPasses = reader.integer("held_passes", 1, 10'000);
+    limits.tucksOnNeedle = reader.integer("tucks_on_needle", 1, 100);
+    limits.stretch = reader.number("stretch", 0.1, 100);
+    reader.rejectUnknownKeys();
+    return limits;
+}
+
+/// The length of the bed may be written for the reader's sake; it must agree with needles and gauge.
+void checkBedLength(JsonReader& reader, const MachineProfile& profile) {
+    if (!reader.has("bed_length_mm")) {
+        return;
+    }
+    const double length = reader.number("bed_length_mm", 1, 100'000);
+    if (std::abs(length - profile.bedLengthMm()) > kBedLengthTolerance * profile.bedLengthMm()) {
+        reader.report("bed_length_mm", fmt::format("{}", length),
+                      fmt::format("{:.0f}, as needles and gauge say", profile.bedLengthMm()));
+    }
+}
+
+std::vector<std::pair<std::string, std::string>> readChecksOff(JsonReader reader) {
+    std::vector<std::pair<std::string, std::string>> off;
+    for (const std::string& rule : reader.keys()) {
+        off.emplace_back(rule, reader.text(rule));
+    }
+    return off;
+}
+
 void checkSources(JsonReader reader) {
     for (const std::string& key : reader.keys()) {
         reader.text(key);
@@ -78,14 +123,24 @@ MachineProfile readProfile(JsonReader& reader, const std::string& file, Diagnost
     profile.name = reader.text("name");
     profile.gauge = reader.number("gauge_needles_per_inch", 0.5, 100);
     profile.needlesPerBed = reader.integer("needles_per_bed", 1, 10'000);
+    checkBedLength(reader, profile);
+    if (reader.has("machine_names")) {
+        profile.machineNames = readMachineNames(reader);
+    }
     profile.bedGapMm = reader.number("bed_gap_mm", 0.1, 100);
     readRack(reader.object("rack"), profile);
     profile.carriers = readCarriers(reader);
     profile.sliders = reader.flag("sliders");
     profile.insertingHook = reader.flag("inserting_hook");
+    profile.hookBlocksNeedles = reader.integer("hook_blocks_needles", 0, 1000);
+    profile.carrierStopPitches = reader.number("carrier_stop_pitches", 0, 100);
     profile.maxLoopsOnNeedle = reader.integer("max_loops_on_needle", 1, 100);
     profile.defaultLoopLengthMm = reader.number("default_loop_length_mm", 0.1, kMaxLoopLengthMm);
     profile.stitchTable = readStitchTable(reader, file, diagnostics);
+    profile.limits = readLimits(reader.object("limits"));
+    if (reader.has("checks_off")) {
+        profile.checksOff = readChecksOff(reader.object("checks_off"));
+    }
     if (reader.has("sources")) {
         checkSources(reader.object("sources"));
     }

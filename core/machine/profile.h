@@ -10,11 +10,25 @@
 
 namespace knittsim::machine {
 
+/// Where the checks begin to complain (core/machine/checks).
+struct ProfileLimits {
+    double floatMm = 40; ///< longest float
+    double floatNeedles = 20;
+    int heldPasses = 16;   ///< passes of a yarn that a loop may wait for its stitch
+    int tucksOnNeedle = 4; ///< tucks above each other without a stitch
+    /// Way between the needles of two neighbouring loops of a yarn, as a multiple of the yarn between them.
+    /// Above 1 the yarn comes out of the loops beside them.
+    double stretch = 1.8;
+
+    bool operator==(const ProfileLimits&) const = default;
+};
+
 /// What a machine can do and how much yarn it feeds. Read from resources/machines/*.json.
 struct MachineProfile {
     std::string id;
     std::string name;
-    double gauge = 15; ///< needles per inch
+    std::vector<std::string> machineNames; ///< values of ';;Machine:' that mean it; a final * stands for any
+    double gauge = 15;                     ///< needles per inch
     int needlesPerBed = 540;
     double bedGapMm = 2.2; ///< distance of the two needle rows
     double minRack = -8;   ///< pitches
@@ -23,11 +37,18 @@ struct MachineProfile {
     std::vector<std::string> carriers;
     bool sliders = true;
     bool insertingHook = true;
+    /// Needles right of its first stitch that the inserting hook blocks until it is released; the yarn must
+    /// then start to the left. 0: not checked.
+    int hookBlocksNeedles = 0;
+    double carrierStopPitches = 2.5; ///< a carrier stops so far beyond its last needle
     int maxLoopsOnNeedle = 6;
     double defaultLoopLengthMm = 5; ///< yarn in one plain loop where the program names no stitch size
     std::vector<std::pair<double, double>> stitchTable; ///< stitch number -> loop length mm, sorted by number
+    ProfileLimits limits;
+    std::vector<std::pair<std::string, std::string>> checksOff; ///< rule -> reason why it is not checked
 
     double pitchMm() const { return units::kMillimetresPerInch / gauge; }
+    double bedLengthMm() const { return needlesPerBed * pitchMm(); }
 
     /// Yarn in one plain loop, mm: linear between table entries, the end values outside; the default with no
     /// table.

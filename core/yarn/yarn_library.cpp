@@ -141,19 +141,6 @@ Diagnostics asWarnings(Diagnostics diagnostics) {
     return diagnostics;
 }
 
-std::vector<std::filesystem::path> jsonFiles(const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> paths;
-    std::error_code code;
-    for (std::filesystem::directory_iterator entry(folder, code), end; !code && entry != end;
-         entry.increment(code)) {
-        if (entry->path().extension() == ".json") {
-            paths.push_back(entry->path());
-        }
-    }
-    std::ranges::sort(paths);
-    return paths;
-}
-
 } // namespace
 
 Result<Yarn> parseYarn(std::string_view json, const std::string& file) {

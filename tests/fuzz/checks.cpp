@@ -9,7 +9,7 @@
 #include "core/formats/shima_dat/reader.h"
 #include "core/formats/shima_dat/writer.h"
 #include "core/formats/text.h"
-#include "core/machine/timeline.h"
+#include "core/machine/checks/check.h"
 #include "tests/support/compare_programs.h"
 #include "tests/support/same_meaning.h"
 
@@ -46,7 +46,7 @@ void checkMachine(const machine::Timeline& timeline) {
     require(timeline.stateAfter(middle) == emulator.state(), "the timeline replays the machine");
     require(timeline.finalState().loopCount == static_cast<std::int32_t>(timeline.loops().loops.size()),
             "all loops are in the table");
-    for (const Diagnostic& found : timeline.diagnostics()) {
+    for (const Diagnostic& found : machine::check(timeline)) {
         require(findMessage(found.id) != nullptr, found.id + " is in the table");
     }
 }

@@ -4,7 +4,8 @@
 #include "core/fabric/fabric_builder.h"
 #include "core/formats/formats.h"
 #include "core/formats/knitout/reader.h"
-#include "core/machine/choose_profile.h"
+#include "core/machine/checks/check.h"
+#include "core/machine/profile_library.h"
 #include "ui/document/mailbox.h"
 
 #include <QThreadPool>
@@ -54,6 +55,18 @@ std::vector<OperationIndex> endsOfCourses(const machine::LoopTable& made, const 
     return ends;
 }
 
+/// The course in which a finding's operation stitches, or the last one before it.
+void nameCourses(const machine::LoopTable& made, const fabric::Fabric& fabric, Diagnostics& findings) {
+    for (Diagnostic& finding : findings) {
+        const auto after =
+            std::ranges::upper_bound(made.loops, finding.place.operation, {}, &machine::Loop::operation);
+        const auto loop = static_cast<std::size_t>(after - made.loops.begin());
+        if (finding.place.operation >= 0 && loop > 0 && loop <= fabric.loops.size()) {
+            finding.place.course = fabric.loops[loop - 1].course;
+        }
+    }
+}
+
 } // namespace
 
 std::shared_ptr<const OpenedFile> openFile(const OpenRequest& request, const yarn::YarnLibrary& library,
@@ -73,12 +86,27 @@ std::shared_ptr<const OpenedFile> openFile(const OpenRequest& request, const yar
         return file;
     }
     tell(OpeningStage::Machine);
-    machine::MachineProfile profile = machine::chooseProfile(program->header);
-    file->timeline = std::make_shared<machine::Timeline>(std::move(program).value(), std::move(profile));
-    const Diagnostics& found = file->timeline->diagnostics();
-    file->diagnostics.insert(file->diagnostics.end(), found.begin(), found.end());
+    const auto take = [&](const Diagnostics& found) {
+        file->diagnostics.insert(file->diagnostics.end(), found.begin(), found.end());
+    };
+    Diagnostics problems;
+    const auto machines = machine::ProfileLibrary::read(machine::profileFolders(), problems);
+    take(problems);
+    auto profile = machine::chooseProfile(program.value(), machines);
+    take(profile.diagnostics());
+    if (!profile) {
+        return file;
+    }
+    file->timeline =
+        std::make_shared<machine::Timeline>(std::move(program).value(), std::move(profile).value());
+    const auto waivers = machine::waiversOf(file->timeline->profile());
+    take(waivers.diagnostics());
+    take(machine::applyWaivers(machine::check(*file->timeline),
+                               waivers ? waivers.value() : std::vector<machine::Waiver>())
+             .findings);
     tell(OpeningStage::Fabric);
     file->fabric = std::make_shared<fabric::Fabric>(fabric::buildFabric(*file->timeline));
+    nameCourses(file->timeline->loops(), *file->fabric, file->diagnostics);
     file->grid = std::make_shared<StitchGrid>(file->timeline->loops(), *file->fabric);
     file->carriers = machine::carrierYarns(file->timeline->program(), library, yarn::defaultYarn());
     file->passEnds = endsOfPasses(file->timeline->program());

@@ -2,7 +2,7 @@
 
 #include "core/pattern/samples.h"
 #include "ui/document/message_text.h"
-#include "ui/views/diagnostics/diagnostics_list.h"
+#include "ui/views/diagnostics/diagnostics_panel.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/history/history_card.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
@@ -32,6 +32,8 @@
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace knittsim::ui {
 
@@ -146,7 +148,7 @@ void MainWindow::connectDocument() {
                                                       .arg(m_document.problems().size())
                                                 : QString());
     });
-    connect(m_problems, &DiagnosticsList::placeWanted, this, &MainWindow::showPlace);
+    connect(m_problems, &DiagnosticsPanel::placeWanted, this, &MainWindow::showPlace);
     connect(m_banner, &Banner::actionWanted, this, [this] {
         m_problemDock->show();
         m_problemDock->raise();
@@ -250,8 +252,10 @@ void MainWindow::takeFabric() {
 }
 
 void MainWindow::takeProblems() {
-    const std::size_t count = m_document.problems().size();
-    m_problemDock->setVisible(count > 0);
+    const Diagnostics& found = m_document.problems();
+    const auto notes = std::ranges::count(found, Severity::Info, &Diagnostic::severity);
+    const auto count = static_cast<std::ptrdiff_t>(found.size()) - notes;
+    m_problemDock->setVisible(count > 0); // notes alone do not push themselves forward
     m_problemDock->setWindowTitle(count > 0 ? tr("Problems (%1)").arg(count) : tr("Problems"));
     takeActions();
 }

@@ -15,7 +15,7 @@ class QToolButton;
 namespace knittsim::ui {
 
 class Banner;
-class DiagnosticsList;
+class DiagnosticsPanel;
 class FabricView;
 class Gallery;
 class HistoryCard;
@@ -109,7 +109,7 @@ private:
     SourceView* m_source = nullptr;
     YarnPanel* m_yarns = nullptr;
     SimulationPanel* m_simulation = nullptr;
-    DiagnosticsList* m_problems = nullptr;
+    DiagnosticsPanel* m_problems = nullptr;
     StatusLine* m_status = nullptr;
     QDockWidget* m_gridDock = nullptr;
     QDockWidget* m_sourceDock = nullptr;

@@ -1,8 +1,8 @@
 #include "core/pattern/samples.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/key_dialog.h"
-#include "ui/views/diagnostics/diagnostics_list.h"
 #include "ui/views/diagnostics/diagnostics_model.h"
+#include "ui/views/diagnostics/diagnostics_panel.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/history/history_card.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
@@ -22,6 +22,8 @@
 #include <QMenuBar>
 #include <QToolBar>
 #include <QToolButton>
+
+#include <algorithm>
 
 namespace knittsim::ui {
 
@@ -370,15 +372,18 @@ void MainWindow::takeActions() {
     findChild<QAction*>(QStringLiteral("actionLegend"))->setChecked(m_fabric->hasLegend());
     findChild<QAction*>(QStringLiteral("actionHistory"))->setChecked(m_history->isSwitchedOn());
     findChild<QAction*>(QStringLiteral("actionOrthographic"))->setChecked(m_fabric->isOrthographic());
-    const auto count = m_document.problems().size();
-    const bool errors = hasErrors(m_document.problems());
-    m_problemButton->setText(count == 0   ? tr("No problems")
-                             : count == 1 ? tr("1 problem")
-                                          : tr("%1 problems").arg(count));
-    m_problemButton->setIcon(severityIcon(errors      ? Severity::Error
-                                          : count > 0 ? Severity::Warning
-                                                      : Severity::Info));
-    m_problemButton->setEnabled(count > 0);
+    const Diagnostics& found = m_document.problems();
+    const auto notes = std::ranges::count(found, Severity::Info, &Diagnostic::severity);
+    const auto problems = static_cast<std::ptrdiff_t>(found.size()) - notes;
+    m_problemButton->setText(found.empty()   ? tr("No problems")
+                             : problems == 1 ? tr("1 problem")
+                             : problems > 1  ? tr("%1 problems").arg(problems)
+                             : notes == 1    ? tr("1 note")
+                                             : tr("%1 notes").arg(notes));
+    m_problemButton->setIcon(severityIcon(hasErrors(found) ? Severity::Error
+                                          : problems > 0   ? Severity::Warning
+                                                           : Severity::Info));
+    m_problemButton->setEnabled(!found.empty());
 }
 
 } // namespace knittsim::ui

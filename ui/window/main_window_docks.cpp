@@ -1,4 +1,4 @@
-#include "ui/views/diagnostics/diagnostics_list.h"
+#include "ui/views/diagnostics/diagnostics_panel.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/history/history_card.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
@@ -47,7 +47,7 @@ void MainWindow::buildDocks() {
     m_source = new SourceView(m_document, this);
     m_yarns = new YarnPanel(m_document, this);
     m_simulation = new SimulationPanel(m_document, this);
-    m_problems = new DiagnosticsList(m_document, this);
+    m_problems = new DiagnosticsPanel(m_document, this);
     m_gridDock = addDock(QStringLiteral("gridDock"), tr("Pattern"), m_grid, Qt::LeftDockWidgetArea);
     m_sourceDock = addDock(QStringLiteral("sourceDock"), tr("Source"), m_source, Qt::LeftDockWidgetArea);
     m_yarnDock = addDock(QStringLiteral("yarnDock"), tr("Yarns"), m_yarns, Qt::RightDockWidgetArea);
@@ -96,7 +96,7 @@ void MainWindow::arrange(Layout layout) {
     m_sourceDock->setVisible(layout != Layout::Teaching);
     m_yarnDock->setVisible(layout == Layout::Standard);
     m_simulationDock->setVisible(layout == Layout::Standard);
-    m_problemDock->setVisible(layout == Layout::Checking || !m_document.problems().empty());
+    m_problemDock->setVisible(layout == Layout::Checking || hasWarnings(m_document.problems()));
     (layout == Layout::Checking ? m_sourceDock : m_gridDock)->raise();
     if (height() < kLeastHeightForBoth) {
         tabifyDockWidget(m_yarnDock, m_simulationDock);

@@ -2,7 +2,7 @@
 #include "core/pattern/samples.h"
 #endif
 
-#include "ui/views/diagnostics/diagnostics_list.h"
+#include "ui/views/diagnostics/diagnostics_panel.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
 #include "ui/views/source/source_view.h"
@@ -241,6 +241,48 @@ private slots:
         QCOMPARE(document().selection().line, 3);
         QCOMPARE(document().selection().loop, 0);
         QCOMPARE(child<SourceView>("sourceView")->currentLine(), 3);
+    }
+
+    void problemsAreFilteredSortedAndCopied() {
+        m_window->openFile(write("many.k", ";!knitout-2\n;;Carriers: 1\nknit + f1 1\nrack 99\nrack 0\n"
+                                           "x-stitch-number 500\nknit + f2 1\nxfer f2 f3\n"));
+        QTRY_VERIFY(document().file());
+        auto* list = child<DiagnosticsList>("diagnosticsList");
+        QVERIFY(child<QDockWidget>("problemDock")->isVisible());
+        QCOMPARE(child<QToolButton>("showErrors")->text(), QStringLiteral("3 errors"));
+        QCOMPARE(child<QToolButton>("showWarnings")->text(), QStringLiteral("2 warnings"));
+        QCOMPARE(child<QToolButton>("showNotes")->text(), QStringLiteral("3 notes"));
+        QCOMPARE(list->problemCount(), 8);
+        child<QToolButton>("showNotes")->click();
+        QCOMPARE(list->problemCount(), 5);
+        child<QToolButton>("showWarnings")->click();
+        QCOMPARE(list->problemCount(), 3);
+
+        QCOMPARE(list->model()->index(1, DiagnosticsModel::Where).data().toString(),
+                 QStringLiteral("line 4, course 1"));
+
+        // The rack is the second error: F8 walks over what is shown.
+        QTest::keyClick(m_window.get(), Qt::Key_F8);
+        QTest::keyClick(m_window.get(), Qt::Key_F8);
+        QCOMPARE(child<SourceView>("sourceView")->currentLine(), 4);
+        QTest::keyClick(m_window.get(), Qt::Key_F8, Qt::ShiftModifier);
+        QCOMPARE(child<SourceView>("sourceView")->currentLine(), 3);
+
+        list->sortByColumn(DiagnosticsModel::Where, Qt::DescendingOrder);
+        const QString text = [&] {
+            list->clearSelection();
+            return list->asText();
+        }();
+        QCOMPARE(text.count(u'\n'), 2);
+        QVERIFY(text.indexOf("KS0207") < text.indexOf("KS0218") &&
+                text.indexOf("KS0218") < text.indexOf("KS0201"));
+
+        auto* rules = child<QComboBox>("ruleChoice");
+        rules->setCurrentIndex(rules->findData(QStringLiteral("KS0218")));
+        QCOMPARE(list->problemCount(), 1);
+        openSample("plain");
+        QVERIFY2(!child<QDockWidget>("problemDock")->isVisible(), "notes alone do not open the dock");
+        QCOMPARE(rules->currentIndex(), 0);
     }
 
     void aDroppedFileIsOpened() {

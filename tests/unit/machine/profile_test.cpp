@@ -14,8 +14,9 @@ const std::filesystem::path kFolder = std::filesystem::path(KNITTSIM_SOURCE_DIR)
 const std::string kGood = R"({
     "id": "own", "name": "Own machine", "gauge_needles_per_inch": 12, "needles_per_bed": 300, "bed_gap_mm": 5,
     "rack": {"min": -4, "max": 6, "fractions": [0, 0.5]}, "carriers": ["1", "2"], "sliders": false,
-    "inserting_hook": true, "max_loops_on_needle": 4, "default_loop_length_mm": 5.5,
-    "stitch_table": [{"number": 10, "loop_length_mm": 4}, {"number": 20, "loop_length_mm": 6}]})";
+    "inserting_hook": true, "hook_blocks_needles": 3, "carrier_stop_pitches": 1.5, "max_loops_on_needle": 4, "default_loop_length_mm": 5.5,
+    "stitch_table": [{"number": 10, "loop_length_mm": 4}, {"number": 20, "loop_length_mm": 6}],
+    "limits": {"float_mm": 30, "float_needles": 9, "held_passes": 7, "tucks_on_needle": 2, "stretch": 1.5}})";
 
 std::string replaced(std::string text, const std::string& old, const std::string& now) {
     const std::size_t at = text.find(old);
@@ -50,6 +51,10 @@ TEST(Profile, ReadsEveryKey) {
     EXPECT_EQ(profile.maxLoopsOnNeedle, 4);
     EXPECT_EQ(profile.defaultLoopLengthMm, 5.5);
     EXPECT_THAT(profile.stitchTable, SizeIs(2));
+    EXPECT_EQ(profile.hookBlocksNeedles, 3);
+    EXPECT_EQ(profile.carrierStopPitches, 1.5);
+    EXPECT_EQ(profile.limits, (ProfileLimits{30, 9, 7, 2, 1.5}));
+    EXPECT_DOUBLE_EQ(profile.bedLengthMm(), 635) << "300 needles of 12 to the inch";
 }
 
 TEST(Profile, AWayTakesYarnBeyondThePlainSinker) {
@@ -90,6 +95,11 @@ TEST(Profile, WrongValuesAreNamed) {
     EXPECT_EQ(problemOf("\"loop_length_mm\": 6", "\"length\": 6, \"loop_length_mm\": 6"),
               "KS0004 stitch_table.1.length");
     EXPECT_EQ(problemOf("\"id\"", "\"colour\": 1, \"id\""), "KS0004 colour");
+    EXPECT_EQ(problemOf("\"id\"", "\"bed_length_mm\": 700, \"id\""), "KS0004 bed_length_mm");
+    EXPECT_EQ(problemOf("\"id\"", "\"machine_names\": [\"*\"], \"id\""), "KS0004 machine_names");
+    EXPECT_EQ(problemOf("\"float_mm\": 30, ", ""), "KS0005 limits.float_mm");
+    EXPECT_EQ(problemOf("\"tucks_on_needle\": 2", "\"tucks_on_needle\": 0"), "KS0004 limits.tucks_on_needle");
+    EXPECT_EQ(problemOf("\"id\"", "\"checks_off\": {\"KS0233\": \"\"}, \"id\""), "KS0004 checks_off.KS0233");
 }
 
 TEST(Profile, SyntaxErrorTellsTheLine) {
@@ -113,6 +123,8 @@ TEST(ShippedProfiles, GenericIsTheBuiltInOne) {
     EXPECT_EQ(
         std::tie(a.id, a.name, a.gauge, a.needlesPerBed, a.bedGapMm, a.minRack, a.maxRack, a.rackFractions),
         std::tie(b.id, b.name, b.gauge, b.needlesPerBed, b.bedGapMm, b.minRack, b.maxRack, b.rackFractions));
+    EXPECT_EQ(std::tie(a.machineNames, a.hookBlocksNeedles, a.carrierStopPitches, a.limits, a.checksOff),
+              std::tie(b.machineNames, b.hookBlocksNeedles, b.carrierStopPitches, b.limits, b.checksOff));
     EXPECT_EQ(std::tie(a.carriers, a.sliders, a.insertingHook, a.maxLoopsOnNeedle, a.defaultLoopLengthMm,
                        a.stitchTable),
               std::tie(b.carriers, b.sliders, b.insertingHook, b.maxLoopsOnNeedle, b.defaultLoopLengthMm,

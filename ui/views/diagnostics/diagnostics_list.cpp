@@ -3,43 +3,48 @@
 #include "core/base/message_table.h"
 
 #include <QClipboard>
+#include <QContextMenuEvent>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QMenu>
+#include <QStringList>
 
 #include <algorithm>
 
 namespace knittsim::ui {
 
-DiagnosticsList::DiagnosticsList(document::Document& document, QWidget* parent)
-    : QTreeView(parent), m_document(document) {
+DiagnosticsList::DiagnosticsList(QWidget* parent) : QTreeView(parent) {
     setObjectName(QStringLiteral("diagnosticsList"));
     setAccessibleName(tr("Problems"));
-    setModel(&m_model);
+    m_filter.setSourceModel(&m_model);
+    setModel(&m_filter);
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setAllColumnsShowFocus(true);
+    setSelectionMode(QAbstractItemView::ExtendedSelection);
     setFrameShape(QFrame::NoFrame);
     setTextElideMode(Qt::ElideRight);
     header()->setStretchLastSection(true);
     header()->setSectionsMovable(false);
+    header()->setSortIndicatorClearable(true);
+    setSortingEnabled(true);
+    sortByColumn(-1, Qt::AscendingOrder);
     setToolTip(tr("Double click or Enter shows the place (F8 next, Shift+F8 previous)"));
     connect(this, &QTreeView::doubleClicked, this, &DiagnosticsList::showPlace);
-    connect(&m_document, &document::Document::problemsChanged, this, &DiagnosticsList::takeProblems);
-    takeProblems();
 }
 
-void DiagnosticsList::takeProblems() {
-    m_model.setProblems(m_document.problems());
-    resizeColumnToContents(DiagnosticsModel::Kind);
-    resizeColumnToContents(DiagnosticsModel::Where);
-    setColumnWidth(DiagnosticsModel::Kind, columnWidth(DiagnosticsModel::Kind) + 12);
-    setColumnWidth(DiagnosticsModel::Where, columnWidth(DiagnosticsModel::Where) + 12);
+void DiagnosticsList::setProblems(const Diagnostics& problems) {
+    m_model.setProblems(problems);
+    for (const int column : {DiagnosticsModel::Kind, DiagnosticsModel::Where}) {
+        resizeColumnToContents(column);
+        setColumnWidth(column, columnWidth(column) + 12);
+    }
 }
 
 void DiagnosticsList::showPlace(const QModelIndex& index) {
     if (index.isValid()) {
-        emit placeWanted(m_model.problems()[static_cast<std::size_t>(index.row())]);
+        emit placeWanted(m_filter.problemAt(index));
     }
 }
 
@@ -51,17 +56,50 @@ void DiagnosticsList::walk(int direction) {
     const int row = currentIndex().isValid() ? currentIndex().row() + direction
                     : direction > 0          ? 0
                                              : count - 1;
-    const QModelIndex next = m_model.index((row + count) % count, 0);
+    const QModelIndex next = m_filter.index((row + count) % count, 0);
     setCurrentIndex(next);
     showPlace(next);
+}
+
+QString DiagnosticsList::asText() const {
+    QModelIndexList rows = selectionModel()->selectedRows();
+    if (rows.isEmpty()) {
+        for (int row = 0; row < problemCount(); ++row) {
+            rows << m_filter.index(row, 0);
+        }
+    }
+    std::sort(rows.begin(), rows.end());
+    QStringList lines;
+    for (const QModelIndex& row : rows) {
+        lines << QString::fromStdString(toLine(m_filter.problemAt(row)));
+    }
+    return lines.join(u'\n');
+}
+
+void DiagnosticsList::copy() const {
+    QGuiApplication::clipboard()->setText(asText());
+}
+
+void DiagnosticsList::contextMenuEvent(QContextMenuEvent* event) {
+    QMenu menu(this);
+    const QModelIndex at = indexAt(event->pos());
+    QAction* show = menu.addAction(tr("Show the &place"));
+    show->setEnabled(at.isValid());
+    QAction* copyText = menu.addAction(tr("&Copy as text"));
+    copyText->setEnabled(problemCount() > 0);
+    const QAction* chosen = menu.exec(event->globalPos());
+    if (chosen == show) {
+        showPlace(at);
+    } else if (chosen == copyText) {
+        copy();
+    }
 }
 
 void DiagnosticsList::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
         showPlace(currentIndex());
-    } else if (event->matches(QKeySequence::Copy) && currentIndex().isValid()) {
-        const Diagnostic& problem = m_model.problems()[static_cast<std::size_t>(currentIndex().row())];
-        QGuiApplication::clipboard()->setText(QString::fromStdString(toLine(problem)));
+    } else if (event->matches(QKeySequence::Copy)) {
+        copy();
     } else {
         QTreeView::keyPressEvent(event);
     }

@@ -1,39 +1,45 @@
 #pragma once
 
-#include "ui/document/document.h"
+#include "ui/views/diagnostics/diagnostics_filter.h"
 #include "ui/views/diagnostics/diagnostics_model.h"
 
 #include <QTreeView>
 
 namespace knittsim::ui {
 
-/// The problems of the last file tried. activated() is answered by the window, which shows the line.
+/// Problems as rows: a click on a header sorts, double click or Enter wants the place, Ctrl+C copies the
+/// selected rows as text.
 class DiagnosticsList : public QTreeView {
     Q_OBJECT
 
 public:
-    explicit DiagnosticsList(document::Document& document, QWidget* parent = nullptr);
+    explicit DiagnosticsList(QWidget* parent = nullptr);
 
-    int problemCount() const { return m_model.rowCount(); }
+    void setProblems(const Diagnostics& problems);
+    DiagnosticsFilter& filter() { return m_filter; }
 
-    /// Goes to the next (+1) or previous (-1) problem and shows its place.
+    /// Rows that are shown.
+    int problemCount() const { return m_filter.rowCount(); }
+
+    /// Goes to the next (+1) or previous (-1) problem that is shown and wants its place.
     void walk(int direction);
 
-    QSize sizeHint() const override { return {480, 130}; }
-    QSize minimumSizeHint() const override { return {180, 72}; }
+    /// The selected rows, or all that are shown where none is selected, a line each.
+    QString asText() const;
 
 signals:
     void placeWanted(const knittsim::Diagnostic& problem);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
-    void takeProblems();
+    void copy() const;
     void showPlace(const QModelIndex& index);
 
-    document::Document& m_document;
     DiagnosticsModel m_model;
+    DiagnosticsFilter m_filter;
 };
 
 } // namespace knittsim::ui

@@ -1,0 +1,124 @@
+#include "core/machine/profile_library.h"
+
+#include "core/base/file.h"
+#include "core/base/resources.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+
+namespace knittsim::machine {
+
+namespace {
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    std::ranges::transform(result, result.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return result;
+}
+
+bool matches(const std::string& machine, std::string_view name) {
+    const std::string pattern = lower(name);
+    return pattern.ends_with('*') ? machine.starts_with(pattern.substr(0, pattern.size() - 1))
+                                  : machine == pattern;
+}
+
+void takeGauge(double gauge, MachineProfile& profile) {
+    const double scale = profile.gauge / gauge;
+    profile.gauge = gauge;
+    profile.bedGapMm *= scale;
+    profile.defaultLoopLengthMm *= scale;
+    for (auto& [number, length] : profile.stitchTable) {
+        length *= scale;
+    }
+}
+
+std::string idsOf(const ProfileLibrary& library) {
+    std::string ids;
+    for (const MachineProfile& profile : library.profiles()) {
+        ids += (ids.empty() ? "" : ", ") + profile.id;
+    }
+    return ids;
+}
+
+} // namespace
+
+ProfileLibrary ProfileLibrary::read(const std::vector<std::filesystem::path>& folders,
+                                    Diagnostics& problems) {
+    ProfileLibrary library;
+    library.m_profiles.push_back(genericProfile());
+    for (const std::filesystem::path& folder : folders) {
+        for (const std::filesystem::path& file : jsonFiles(folder)) {
+            Result<MachineProfile> profile = readMachineProfile(file);
+            problems.insert(problems.end(), profile.diagnostics().begin(), profile.diagnostics().end());
+            if (!profile) {
+                continue;
+            }
+            std::erase_if(library.m_profiles, [&](const auto& old) { return old.id == profile->id; });
+            library.m_profiles.push_back(std::move(profile).value());
+        }
+    }
+    std::ranges::sort(library.m_profiles, {}, &MachineProfile::id);
+    return library;
+}
+
+const MachineProfile* ProfileLibrary::find(std::string_view id) const {
+    const auto found = std::ranges::find(m_profiles, id, &MachineProfile::id);
+    return found == m_profiles.end() ? nullptr : &*found;
+}
+
+const MachineProfile* ProfileLibrary::findMachine(std::string_view machine) const {
+    const std::string wanted = lower(machine);
+    const auto byId = std::ranges::find_if(m_profiles, [&](const auto& p) { return lower(p.id) == wanted; });
+    if (byId != m_profiles.end()) {
+        return &*byId;
+    }
+    const auto byName = std::ranges::find_if(m_profiles, [&](const MachineProfile& profile) {
+        return std::ranges::any_of(profile.machineNames,
+                                   [&](const std::string& name) { return matches(wanted, name); });
+    });
+    return byName == m_profiles.end() ? nullptr : &*byName;
+}
+
+std::vector<std::filesystem::path> profileFolders() {
+    std::vector<std::filesystem::path> folders{resourceFolder() / "machines"};
+    const auto variable = [](const char* name) -> std::filesystem::path {
+        const char* value = std::getenv(name);
+        return value == nullptr ? "" : value;
+    };
+    if (const auto own = variable("KNITTSIM_MACHINES"); !own.empty()) {
+        folders.push_back(own);
+    } else if (const auto config = variable("XDG_CONFIG_HOME"); !config.empty()) {
+        folders.push_back(config / "knittsim" / "machines");
+    } else if (const auto home = variable("HOME"); !home.empty()) {
+        folders.push_back(home / ".config" / "knittsim" / "machines");
+    }
+    return folders;
+}
+
+Result<MachineProfile> chooseProfile(const Program& program, const ProfileLibrary& library,
+                                     const std::string& wanted) {
+    const Header& header = program.header;
+    Diagnostics diagnostics;
+    const MachineProfile* found = nullptr;
+    if (!wanted.empty()) {
+        found = library.find(wanted);
+        if (found == nullptr) {
+            return Diagnostic{"KS0008", Severity::Error, {}, {"machine profile", wanted, idsOf(library)}};
+        }
+    } else if (!header.machine.empty()) {
+        found = library.findMachine(header.machine);
+    }
+    MachineProfile profile = found != nullptr ? *found : *library.find(genericProfile().id);
+    if (found == nullptr && !header.machine.empty()) {
+        diagnostics.push_back(
+            {"KS0242", Severity::Warning, Place{.file = program.file}, {header.machine, profile.name}});
+    }
+    if (header.gauge && *header.gauge > 0 && *header.gauge != profile.gauge) {
+        takeGauge(*header.gauge, profile);
+    }
+    return {std::move(profile), std::move(diagnostics)};
+}
+
+} // namespace knittsim::machine
