@@ -19,8 +19,7 @@ public:
         : CheckGroup(timeline, findings), m_told(m_program.header.carriers.size(), false) {}
 
     void before(const Operation& op, const MachineState& state) override {
-        if (op.kind == OperationKind::Knit || op.kind == OperationKind::Tuck ||
-            op.kind == OperationKind::Split) {
+        if (makesLoop(op.kind)) {
             checkSides(op, state);
         }
         if (carriesYarn(op.kind)) {
