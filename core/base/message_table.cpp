@@ -153,7 +153,7 @@ constexpr auto kMessages = std::to_array<Message>({
      "Remove the operation if the loop was not expected."},
     {"KS0225", "carrier-kickback", "Carrier {0} stands beyond {1}, seen in the direction of the stitch.",
      "Bring it back with a miss first, or turn the direction."},
-    {"KS0226", "yarn-in-the-way", "The yarn of the waiting carrier {1} lies across {0} ({2}).",
+    {"KS0226", "yarn-in-the-way", "The yarn of the waiting carrier {1} lies in the way at {0} ({2}).",
      "The machine must move it aside; write a miss where that matters."},
     {"KS0227", "carriers-collide", "Carrier {0} runs into carrier {1}, which stands on the same rail.",
      "Move carrier {1} first or use another rail."},

@@ -4,6 +4,8 @@
 
 #include "core/machine/checks/groups.h"
 
+#include <algorithm>
+
 namespace knittsim::machine {
 
 namespace {
@@ -17,14 +19,13 @@ public:
         : CheckGroup(timeline, findings), m_told(m_program.header.carriers.size(), false) {}
 
     void before(const Operation& op, const MachineState& state) override {
-        if (op.kind == OperationKind::Knit || op.kind == OperationKind::Tuck ||
-            op.kind == OperationKind::Split) {
+        if (makesLoop(op.kind)) {
             checkSides(op, state);
         }
         if (carriesYarn(op.kind)) {
             checkRails(op, state);
         }
-        if (makesLoop(op.kind) || op.kind == OperationKind::Xfer) {
+        if (carriesYarn(op.kind) || op.kind == OperationKind::Xfer) {
             checkOthers(op, state);
         }
     }
@@ -90,16 +91,25 @@ private:
         }
     }
 
+    /// A needle works under the yarn of a waiting carrier, or a yarn moves past it.
     void checkOthers(const Operation& op, const MachineState& state) {
         const double at = positionPitches(op.needle, state.rack);
+        const bool moves = !op.carriers.empty() && state.carriers[op.carriers[0]].placed;
+        const double from = moves ? state.carriers[op.carriers[0]].place.pitches : at;
         for (std::size_t o = 0; o < state.carriers.size(); ++o) {
             const CarrierState& other = state.carriers[o];
             const auto carrier = static_cast<CarrierIndex>(o);
             if (!other.placed || m_told[o] || op.carriers.contains(carrier)) {
                 continue;
             }
-            const double beyond = (at - other.place.pitches) * sign(other.place.side);
-            if (beyond > 0 && beyond <= m_profile.carrierStopPitches) {
+            const auto beyond = [&](double pitches) {
+                return (pitches - other.place.pitches) * sign(other.place.side);
+            };
+            const double stop = m_profile.carrierStopPitches;
+            const bool under = beyond(at) > 0 && beyond(at) <= stop && op.kind != OperationKind::Miss;
+            const bool past =
+                std::min(beyond(from), beyond(at)) <= 0 && std::max(beyond(from), beyond(at)) > stop;
+            if (under || past) {
                 m_told[o] = true; // until it moves
                 m_findings.reportRun("KS0226", {toString(op.needle), nameOf(carrier)}, op.needle);
             }

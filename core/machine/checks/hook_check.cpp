@@ -16,13 +16,13 @@ public:
     void before(const Operation& op, const MachineState& state) override {
         switch (op.kind) {
         case OperationKind::InHook:
-            checkMachine(op);
+            checkMachine();
             m_inHook = m_findings.operation();
             m_waitsAt.reset();
             m_takenOut = false;
             break;
         case OperationKind::OutHook:
-            checkMachine(op);
+            checkMachine();
             break;
         case OperationKind::ReleaseHook:
             checkRelease(op, state);
@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    void checkMachine(const Operation&) {
+    void checkMachine() {
         if (!m_profile.insertingHook && !m_toldMachine) {
             m_toldMachine = true;
             m_findings.report("KS0215", {m_profile.name});

@@ -44,16 +44,16 @@ constexpr auto kRules = std::to_array<Rule>({
     {"KS0229", Severity::Warning}, // dropped loop unravels
     {"KS0230", Severity::Info},    // loops left at the end
     {"KS0231", Severity::Warning}, // too many loops on a needle
+    // held_check, float_check, loop_check, stretch_check
     {"KS0232", Severity::Warning}, // loop held too long
-    // yarn_check
     {"KS0233", Severity::Warning}, // float too long
-    {"KS0234", Severity::Warning}, // tuck stack (loop_check)
+    {"KS0234", Severity::Warning}, // tuck stack
     {"KS0235", Severity::Error},   // loop stretched beyond its yarn
-    // set_check
+    // set_check; needle_check for the table
     {"KS0236", Severity::Warning}, // plating order changes
     {"KS0237", Severity::Warning}, // two carriers from different sides
     {"KS0238", Severity::Warning}, // unused carrier
-    {"KS0239", Severity::Warning}, // stitch size out of table (needle_check)
+    {"KS0239", Severity::Warning}, // stitch size out of table
     {"KS0240", Severity::Warning}, // first stitch with another set
     {"KS0241", Severity::Warning}, // carrier that the machine lacks
     // Told with them.

@@ -81,6 +81,8 @@ TEST_P(BrokenProgram, IsFoundAtItsLineAndNothingElseIs) {
     Expected found;
     for (const Diagnostic& finding : findAll(GetParam())) {
         const std::pair<int, std::string> place{finding.place.line, finding.id};
+        const Rule* rule = findRule(finding.id);
+        EXPECT_TRUE(rule == nullptr || rule->severity == finding.severity) << finding.id;
         EXPECT_EQ((causeText(finding) + cureText(finding)).find('{'), std::string::npos)
             << finding.id << " lacks an argument";
         if (finding.severity != Severity::Info || expected.contains(place)) {
