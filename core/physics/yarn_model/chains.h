@@ -21,6 +21,7 @@ struct RodYarn {
     double axialStiffness = 1000;  ///< EA
     double bendingStiffness = 1;   ///< EI
     double contactStiffness = 0.1; ///< k of the kernel, EI/d^5
+    double friction = 0;           ///< mu, yarn on yarn
 };
 
 /// A node or its image: `across` cell widths to the right and `up` cell heights above.

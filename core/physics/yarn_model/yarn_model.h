@@ -40,6 +40,7 @@ public:
     const RodStretchTerm& stretch() const { return m_stretch; }
     const RodBendTerm& bend() const { return m_bend; }
     const ContactTerm& contact() const { return m_contact; }
+    const HardCoreTerm& cores() const { return m_cores; }
 
     /// At the present thickness.
     StrandAudit audit(const Vector& x) const { return m_guard.audit(x, thickness()); }

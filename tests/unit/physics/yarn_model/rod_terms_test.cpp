@@ -1,6 +1,7 @@
 #include "../check_derivatives.h"
 #include "chains_for_tests.h"
 #include "core/physics/yarn_model/contact_term.h"
+#include "core/physics/yarn_model/friction_term.h"
 #include "core/physics/yarn_model/gravity_term.h"
 #include "core/physics/yarn_model/hard_core_term.h"
 #include "core/physics/yarn_model/rod_bend_term.h"
@@ -40,6 +41,26 @@ YarnChains withSet(YarnChains chains, double curvature) {
     return chains;
 }
 
+YarnChains rough(YarnChains chains) {
+    for (std::size_t i = 0; i < chains.yarns.size(); ++i) {
+        chains.yarns[i].friction = 0.2 + 0.3 * static_cast<double>(i);
+    }
+    return chains;
+}
+
+/// Held at a shape that every coordinate has left by up to `slip`.
+std::unique_ptr<EnergyTerm> friction(const YarnChains& chains, double slip) {
+    auto term = std::make_unique<FrictionTerm>(chains);
+    std::mt19937 random(9);
+    Vector reference = chains.start();
+    for (double& coordinate : reference) {
+        coordinate += test::uniform(random, -slip, slip);
+    }
+    term->holdAt(reference);
+    term->lag(ContactTerm(chains), HardCoreTerm(chains), chains.start());
+    return term;
+}
+
 const std::vector<Case>& cases() {
     using test::course;
     using test::twoYarns;
@@ -66,6 +87,14 @@ const std::vector<Case>& cases() {
              return chains;
          },
          makeTerm<HardCoreTerm>, HessianIs::GaussNewton},
+        {"FrictionSticks", [](unsigned s) { return rough(twoYarns(s, 1, 0.7)); },
+         [](const YarnChains& c) { return friction(c, 0.2 * FrictionTerm::kThreshold); }},
+        {"FrictionSlips", [](unsigned s) { return rough(twoYarns(s, 1, 0.7)); },
+         [](const YarnChains& c) { return friction(c, 0.1); }},
+        {"FrictionOfCores", [](unsigned s) { return rough(twoYarns(s, 1, 0.5)); },
+         [](const YarnChains& c) { return friction(c, 0.1); }},
+        {"FrictionPeriodic", [](unsigned s) { return rough(course(s, 1)); },
+         [](const YarnChains& c) { return friction(c, 0.1); }},
         {"Gravity", [](unsigned s) { return twoYarns(s, 1, 1); },
          [](const YarnChains& c) {
              return std::make_unique<GravityTerm>(nodeLengths(c), Eigen::Vector3d(0, -1, 0.5));
