@@ -22,6 +22,11 @@ struct YarnRelaxReport {
     double residual = 0;
     double energy = 0;
     StrandAudit audit; ///< at the end
+
+    void addWork(const YarnRelaxReport& earlier) {
+        steps += earlier.steps;
+        evaluations += earlier.evaluations;
+    }
 };
 
 /// To rest, the yarns as thick as they are.
