@@ -39,8 +39,8 @@ const char* reasonText(StopRule::Verdict verdict) {
 }
 
 nlohmann::ordered_json report(const Loaded& loaded, const FabricRepeat& found, const CellShape& cell,
-                              const physics::YarnUnits& units, const std::string& integrator,
-                              double wallSeconds) {
+                              const physics::RodYarn& rod, const physics::YarnUnits& units,
+                              const std::string& integrator, double wallSeconds) {
     const physics::KnitPurl& pattern = found.repeat.pattern;
     const StopRule::Verdict verdict = cell.relax.verdict;
     const double mm = units.lengthMm;
@@ -64,7 +64,9 @@ nlohmann::ordered_json report(const Loaded& loaded, const FabricRepeat& found, c
             {"thickness_mm", cell.thickness * mm},
             {"loop_length_mm", cell.loopLength * mm},
             {"yarn_diameter_mm", mm},
-            {"energy_uj", cell.relax.energy * units.energyMicroJoule()},
+            {"friction", rod.friction},
+            {"set", rod.set},
+            {"energy_uj", cell.energy * units.energyMicroJoule()},
             {"penetrations", cell.relax.audit.coreOverlaps},
             {"max_penetration_mm", cell.relax.audit.deepestOverlap * mm},
             {"topology_faults", cell.faults.size()}};
@@ -82,6 +84,7 @@ void printText(const nlohmann::ordered_json& r) {
         "  wale spacing {:.3f} mm, course spacing {:.3f} mm, thickness {:.2f} mm, loop length {:.2f} mm\n",
         number("wale_spacing_mm"), number("course_spacing_mm"), number("thickness_mm"),
         number("loop_length_mm"));
+    fmt::print("  friction {:.2f}, set {:.2f}\n", number("friction"), number("set"));
     fmt::print("  {} core overlaps, {} stitches whose topology is in doubt\n", r["penetrations"].get<int>(),
                r["topology_faults"].get<int>());
 }
@@ -114,10 +117,15 @@ int relaxPeriodic(const Loaded& loaded, const PeriodicOptions& options) {
     if (!options.integrator.empty()) {
         cellOptions.relax.integrator = options.integrator.c_str();
     }
-    const CellShape cell =
-        physics::relaxCell(found->repeat.pattern, lengths, physics::toRod(material, units), cellOptions);
+    physics::RodYarn rod = physics::toRod(material, units);
+    rod.friction = options.friction.value_or(rod.friction);
+    rod.set = options.set;
+    if (rod.friction > 0) {
+        cellOptions.machine = physics::machineHold(loaded.timeline->profile().pitchMm(), units);
+    }
+    const CellShape cell = physics::relaxCell(found->repeat.pattern, lengths, rod, cellOptions);
     const nlohmann::ordered_json result =
-        report(loaded, *found, cell, units, cellOptions.relax.integrator, seconds());
+        report(loaded, *found, cell, rod, units, cellOptions.relax.integrator, seconds());
     if (options.json) {
         fmt::print("{}\n", result.dump(2));
     } else {

@@ -9,6 +9,8 @@ struct PeriodicOptions {
     double until = 1e-3;    ///< residual
     double maxSeconds = 60;
     bool json = false;
+    std::optional<double> friction; ///< instead of the yarn's; 0: the cell settles without a history
+    double set = 0;                 ///< share of its curvature that the yarn keeps
 };
 
 /// Settles the repeat of a fabric as a periodic cell of the yarn model and prints what it measures. Returns
