@@ -197,6 +197,23 @@ TEST(RodBendTerm, OfARingThatIsFullySetVanishes) {
     EXPECT_NEAR(RodBendTerm(set).evaluate(set.start(), nullptr), 0, 1e-20);
 }
 
+TEST(RodBendTerm, EveryYarnTakesItsOwnSet) {
+    YarnChains chains = ring(50, 4);
+    chains.yarns = {{1, 0.5, 100, 3, 0.1, 0, 0.25}, {1, 0.5, 100, 3, 0.1, 0, 1}};
+    test::addChain(chains, {{0, 0, 9}, {1, 0, 9}, {1, 1, 9}}, 1);
+    RodBendTerm bend(chains);
+    const std::vector<double> before = bend.curvatures(chains.start());
+    bend.takeSet(chains.start());
+    const std::vector<double> rest = bend.restCurvatures();
+    EXPECT_NEAR(rest[7], 0.25 * before[7], 1e-12);
+    EXPECT_NEAR(rest[51], before[51], 1e-12);
+    EXPECT_GT(rest[51], 0.5);
+    // As if it had been made like that.
+    chains.restCurvature = rest;
+    EXPECT_NEAR(RodBendTerm(chains).evaluate(chains.start(), nullptr), bend.evaluate(chains.start(), nullptr),
+                1e-12);
+}
+
 TEST(RodStretchTerm, PullsWithForceByStrain) {
     YarnChains chains;
     chains.yarns = {{1, 0.5, 100, 1, 0.1}};
