@@ -80,6 +80,7 @@ CellShape relaxCell(const KnitPurl& pattern, const std::vector<double>& loopLeng
                     const CellOptions& options) {
     CellShape result;
     result.loopLength = meanOf(loopLengths);
+    result.nodesPerLoop = options.start.nodesPerLoop;
     result.chains = knitCell(pattern, loopLengths, yarn, startOf(options, result.loopLength));
     YarnModel model(result.chains);
     if (options.flattening > 0) {

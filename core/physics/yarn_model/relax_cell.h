@@ -30,6 +30,7 @@ struct CellShape {
     YarnRelaxReport relax;
     std::vector<LoopFault> faults; ///< stitches whose certificate does not hold
     YarnChains chains;
+    int nodesPerLoop = 24;
     Vector shape;
 };
 
