@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
     Command chosen;
     addInfo(app, chosen);
     addRelax(app, chosen);
+    addPull(app, chosen);
     addRender(app, chosen);
     addConvert(app, chosen);
     try {

@@ -163,8 +163,9 @@ int runRelax(const RelaxOptions& options) {
         return kUnusable;
     }
     if (options.periodic) {
-        return relaxPeriodic(*loaded, {options.integrator, options.until, options.maxSeconds, options.json,
-                                       options.friction, options.set});
+        return relaxPeriodic(
+            *loaded, {options.integrator, options.until, options.maxSeconds, options.friction, options.set},
+            options.json);
     }
     simulation::Simulation simulation;
     if (!options.integrator.empty()) {
@@ -218,12 +219,7 @@ void addRelax(CLI::App& app, Command& chosen) {
         ->capture_default_str();
     command->add_option("--region", options->region, "W0:W1,C0:C1: wales and courses to measure, from 0");
     command->add_flag("--periodic", options->periodic, "settle one repeat of the pattern (--model yarn)");
-    command->add_option("--friction", options->friction, "of yarn on yarn instead of the yarn's (--periodic)")
-        ->check(CLI::Range(0.0, 2.0));
-    command
-        ->add_option("--set", options->set, "share of its curvature the yarn keeps, 1: steamed (--periodic)")
-        ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
+    addYarnPhysics(*command, options->friction, options->set);
     command->add_flag("--json", options->json, "print JSON");
     command->add_option("-o", options->state, "write the settled shape (JSON)");
     command->callback([&chosen, options] { chosen = [options] { return runRelax(*options); }; });
