@@ -37,7 +37,7 @@ struct PullResult {
 };
 
 /// Pulls a repeat that has settled. The friction of its yarns acts, so that the way back is lower than the
-/// way up.
+/// way up; which way it was strained at rest is not known, so it begins without strain.
 PullResult pullCell(const KnitPurl& pattern, const CellShape& rest, const PullOptions& options);
 
 } // namespace knittsim::physics

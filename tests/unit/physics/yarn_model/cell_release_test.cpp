@@ -97,8 +97,8 @@ struct Swatch {
 };
 
 TEST(CellRelease, TheSwatchesComeOutAsMeasured) {
-    // One yarn, one mu (both from the library), one stitch size, nothing fitted. Without friction ribs came
-    // out a tenth to a half too narrow and moss at half its height.
+    // One yarn, one mu (both from the library), one stitch size, nothing fitted. Without friction 2x2 rib is
+    // half as wide, and moss ends now in one shape, now in another.
     const auto library = yarn::YarnLibrary::read(KNITTSIM_SOURCE_DIR "/resources/yarns");
     const yarn::Yarn* yarn = library.value().find("acrylic-hb-2-28");
     ASSERT_NE(yarn, nullptr);

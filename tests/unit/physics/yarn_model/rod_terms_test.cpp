@@ -1,5 +1,6 @@
 #include "../check_derivatives.h"
 #include "chains_for_tests.h"
+#include "core/physics/yarn_model/cell_load_term.h"
 #include "core/physics/yarn_model/contact_term.h"
 #include "core/physics/yarn_model/friction_term.h"
 #include "core/physics/yarn_model/gravity_term.h"
@@ -95,6 +96,13 @@ const std::vector<Case>& cases() {
          [](const YarnChains& c) { return friction(c, 0.1); }},
         {"FrictionPeriodic", [](unsigned s) { return rough(course(s, 1)); },
          [](const YarnChains& c) { return friction(c, 0.1); }},
+        {"CellLoad", [](unsigned s) { return course(s, 1); },
+         [](const YarnChains& c) {
+             auto term = std::make_unique<CellLoadTerm>(c.cellEntry());
+             term->hold(CellLoadTerm::Width, 3, 7);
+             term->pull(CellLoadTerm::Height, 2);
+             return term;
+         }},
         {"Gravity", [](unsigned s) { return twoYarns(s, 1, 1); },
          [](const YarnChains& c) {
              return std::make_unique<GravityTerm>(nodeLengths(c), Eigen::Vector3d(0, -1, 0.5));
