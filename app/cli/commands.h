@@ -17,6 +17,7 @@ using Command = std::function<int()>;
 void addCheck(CLI::App& app, Command& chosen);
 void addConvert(CLI::App& app, Command& chosen);
 void addInfo(CLI::App& app, Command& chosen);
+void addPull(CLI::App& app, Command& chosen);
 void addRelax(CLI::App& app, Command& chosen);
 void addRender(CLI::App& app, Command& chosen);
 

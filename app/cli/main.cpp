@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
     addInfo(app, chosen);
     addCheck(app, chosen);
     addRelax(app, chosen);
+    addPull(app, chosen);
     addRender(app, chosen);
     addConvert(app, chosen);
     try {

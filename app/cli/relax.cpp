@@ -28,6 +28,8 @@ struct RelaxOptions {
     double maxSeconds = 60;
     bool json = false;
     bool periodic = false;
+    std::optional<double> friction;
+    double set = 0;
 };
 
 /// "W0:W1,C0:C1". Returns what is wrong, or an empty string.
@@ -145,6 +147,10 @@ int runRelax(const RelaxOptions& options) {
         fmt::print(stderr, "--region and -o are for whole fabrics, not for --periodic\n");
         return kUnusable;
     }
+    if (!options.periodic && (options.friction || options.set > 0)) {
+        fmt::print(stderr, "--friction and --set are for --periodic\n");
+        return kUnusable;
+    }
     geometry::Region region;
     if (!options.region.empty()) {
         if (const std::string problem = parseRegion(options.region, region); !problem.empty()) {
@@ -157,7 +163,9 @@ int runRelax(const RelaxOptions& options) {
         return kUnusable;
     }
     if (options.periodic) {
-        return relaxPeriodic(*loaded, {options.integrator, options.until, options.maxSeconds, options.json});
+        return relaxPeriodic(
+            *loaded, {options.integrator, options.until, options.maxSeconds, options.friction, options.set},
+            options.json);
     }
     simulation::Simulation simulation;
     if (!options.integrator.empty()) {
@@ -211,6 +219,7 @@ void addRelax(CLI::App& app, Command& chosen) {
         ->capture_default_str();
     command->add_option("--region", options->region, "W0:W1,C0:C1: wales and courses to measure, from 0");
     command->add_flag("--periodic", options->periodic, "settle one repeat of the pattern (--model yarn)");
+    addYarnPhysics(*command, options->friction, options->set);
     command->add_flag("--json", options->json, "print JSON");
     command->add_option("-o", options->state, "write the settled shape (JSON)");
     command->callback([&chosen, options] { chosen = [options] { return runRelax(*options); }; });

@@ -1,22 +1,15 @@
 #include "app/cli/relax_periodic.h"
 
 #include "app/cli/commands.h"
-#include "core/physics/yarn_model/fabric_repeat.h"
-#include "core/physics/yarn_model/relax_cell.h"
-#include "core/physics/yarn_model/yarn_units.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
-
-#include <chrono>
-#include <limits>
 
 namespace knittsim::cli {
 
 namespace {
 
 using physics::CellShape;
-using physics::FabricRepeat;
 using physics::StopRule;
 
 const char* reasonText(StopRule::Verdict verdict) {
@@ -38,9 +31,9 @@ const char* reasonText(StopRule::Verdict verdict) {
     return "time limit";
 }
 
-nlohmann::ordered_json report(const Loaded& loaded, const FabricRepeat& found, const CellShape& cell,
-                              const physics::YarnUnits& units, const std::string& integrator,
-                              double wallSeconds) {
+nlohmann::ordered_json report(const Loaded& loaded, const PeriodicCell& settled,
+                              const std::string& integrator, double wallSeconds) {
+    const auto& [found, units, rod, cell] = settled;
     const physics::KnitPurl& pattern = found.repeat.pattern;
     const StopRule::Verdict verdict = cell.relax.verdict;
     const double mm = units.lengthMm;
@@ -48,8 +41,7 @@ nlohmann::ordered_json report(const Loaded& loaded, const FabricRepeat& found, c
             {"model", "yarn"},
             {"periodic", true},
             {"integrator", integrator},
-            {"converged",
-             verdict == StopRule::Verdict::ResidualReached || verdict == StopRule::Verdict::Stagnation},
+            {"converged", physics::isAtRest(verdict)},
             {"reason", reasonText(verdict)},
             {"residual", cell.relax.residual},
             {"steps", cell.relax.steps},
@@ -64,7 +56,9 @@ nlohmann::ordered_json report(const Loaded& loaded, const FabricRepeat& found, c
             {"thickness_mm", cell.thickness * mm},
             {"loop_length_mm", cell.loopLength * mm},
             {"yarn_diameter_mm", mm},
-            {"energy_uj", cell.relax.energy * units.energyMicroJoule()},
+            {"friction", rod.friction},
+            {"set", rod.set},
+            {"energy_uj", cell.energy * units.energyMicroJoule()},
             {"penetrations", cell.relax.audit.coreOverlaps},
             {"max_penetration_mm", cell.relax.audit.deepestOverlap * mm},
             {"topology_faults", cell.faults.size()}};
@@ -82,47 +76,27 @@ void printText(const nlohmann::ordered_json& r) {
         "  wale spacing {:.3f} mm, course spacing {:.3f} mm, thickness {:.2f} mm, loop length {:.2f} mm\n",
         number("wale_spacing_mm"), number("course_spacing_mm"), number("thickness_mm"),
         number("loop_length_mm"));
+    fmt::print("  friction {:.2f}, set {:.2f}\n", number("friction"), number("set"));
     fmt::print("  {} core overlaps, {} stitches whose topology is in doubt\n", r["penetrations"].get<int>(),
                r["topology_faults"].get<int>());
 }
 
 } // namespace
 
-int relaxPeriodic(const Loaded& loaded, const PeriodicOptions& options) {
-    const std::optional<FabricRepeat> found = physics::findFabricRepeat(*loaded.fabric);
-    if (!found) {
-        fmt::print(stderr, "--periodic: most of the fabric would have to be knit and purl stitches of one "
-                           "yarn that repeat themselves\n");
+int relaxPeriodic(const Loaded& loaded, const PeriodicOptions& options, bool json) {
+    const Deadline deadline(options.maxSeconds);
+    const std::optional<PeriodicCell> settled = settlePeriodic(loaded, options, deadline);
+    if (!settled) {
         return kUnusable;
     }
-    const yarn::Yarn& material = loaded.yarns[found->carrier];
-    const physics::YarnUnits units = physics::unitsOf(material);
-    std::vector<double> lengths = found->repeat.loopLengths;
-    for (double& length : lengths) {
-        length /= units.lengthMm;
-    }
-
-    const auto start = std::chrono::steady_clock::now();
-    const auto seconds = [&] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    };
-    const std::function<bool()> late = [&] { return seconds() > options.maxSeconds; };
-    physics::CellOptions cellOptions;
-    cellOptions.relax.residual = options.until;
-    cellOptions.relax.cancelled = &late;
-    cellOptions.relax.mostEvaluations = std::numeric_limits<int>::max(); // time is the limit
-    if (!options.integrator.empty()) {
-        cellOptions.relax.integrator = options.integrator.c_str();
-    }
-    const CellShape cell =
-        physics::relaxCell(found->repeat.pattern, lengths, physics::toRod(material, units), cellOptions);
     const nlohmann::ordered_json result =
-        report(loaded, *found, cell, units, cellOptions.relax.integrator, seconds());
-    if (options.json) {
+        report(loaded, *settled, relaxOptions(options, deadline).integrator, deadline.seconds());
+    if (json) {
         fmt::print("{}\n", result.dump(2));
     } else {
         printText(result);
     }
+    const CellShape& cell = settled->cell;
     const bool sound =
         result["converged"].get<bool>() && cell.relax.audit.coreOverlaps == 0 && cell.faults.empty();
     return sound ? kFine : kProblems;

@@ -1,18 +1,11 @@
 #pragma once
 
-#include "app/cli/load.h"
+#include "app/cli/periodic_cell.h"
 
 namespace knittsim::cli {
 
-struct PeriodicOptions {
-    std::string integrator; ///< the fastest when empty
-    double until = 1e-3;    ///< residual
-    double maxSeconds = 60;
-    bool json = false;
-};
-
-/// Settles the repeat of a fabric as a periodic cell of the yarn model and prints what it measures. Returns
-/// an exit code.
-int relaxPeriodic(const Loaded& loaded, const PeriodicOptions& options);
+/// Settles the repeat of a fabric as a periodic cell of the yarn model and prints what it measures, as text
+/// or JSON. Returns an exit code.
+int relaxPeriodic(const Loaded& loaded, const PeriodicOptions& options, bool json);
 
 } // namespace knittsim::cli

@@ -76,9 +76,14 @@ struct Swatch {
     machine::Program program;
 };
 
-/// The measured swatches of PHYSICS 3: one yarn, one stitch size, as our machine feeds them. `extra`: with
-/// the yarn from bed to bed.
-void settleSwatch(benchmark::State& state, const Swatch& swatch, bool extra) {
+enum class As : std::uint8_t {
+    SameLength, ///< the same yarn for every stitch, no friction
+    Fed,        ///< with the yarn from bed to bed, no friction
+    Released,   ///< and let go from the machine under friction
+};
+
+/// The measured swatches of PHYSICS 3: one yarn, one stitch size, as our machine feeds them.
+void settleSwatch(benchmark::State& state, const Swatch& swatch, As as) {
     const auto library = yarn::YarnLibrary::read(KNITTSIM_SOURCE_DIR "/resources/yarns");
     const yarn::Yarn* yarn = library ? library.value().find("acrylic-hb-2-28") : nullptr;
     if (yarn == nullptr) {
@@ -87,20 +92,24 @@ void settleSwatch(benchmark::State& state, const Swatch& swatch, bool extra) {
     }
     machine::MachineProfile profile = machine::genericProfile();
     profile.defaultLoopLengthMm = 6.8; // 60 wales in 99 mm and kw = 4.1
-    const auto cellOf = [&](const machine::Program& program, bool withGap) {
+    const auto cellOf = [&](const machine::Program& program) {
         const machine::Timeline timeline(program, profile);
         const auto found = physics::findFabricRepeat(fabric::buildFabric(timeline));
         const physics::YarnUnits units = physics::unitsOf(*yarn);
         std::vector<double> lengths = found->repeat.loopLengths;
         for (double& l : lengths) {
-            l = (withGap ? l : profile.defaultLoopLengthMm) / units.lengthMm;
+            l = (as == As::SameLength ? profile.defaultLoopLengthMm : l) / units.lengthMm;
         }
-        return relaxCell(found->repeat.pattern, lengths, physics::toRod(*yarn, units));
+        physics::CellOptions options;
+        if (as == As::Released) {
+            options.machine = physics::machineHold(profile.pitchMm(), units);
+        }
+        return relaxCell(found->repeat.pattern, lengths, physics::toRod(*yarn, units), options);
     };
-    const CellShape plain = cellOf(pattern::makePlain(14, 12), extra);
+    const CellShape plain = cellOf(pattern::makePlain(14, 12));
     for (auto _ : state) {
         const double begin = cpuSeconds();
-        const CellShape cell = cellOf(swatch.program, extra);
+        const CellShape cell = cellOf(swatch.program);
         const double seconds = cpuSeconds() - begin;
         report(state, cell, seconds);
         state.counters["width"] = cell.waleSpacing / plain.waleSpacing;
@@ -128,10 +137,11 @@ const bool kRegistered = [] {
         {"rib", pattern::makeRib(14, 12)},     {"rib2", pattern::makeRib(14, 12, 2, 2)},
         {"seed", pattern::makeSeed(14, 12)},   {"moss", pattern::makeMoss(14, 12)},
     };
-    for (const bool extra : {false, true}) {
+    for (const auto& [title, as] : {std::pair{"same_length/", As::SameLength}, std::pair{"fed/", As::Fed},
+                                    std::pair{"released/", As::Released}}) {
         for (const Swatch& swatch : swatches) {
-            const std::string name = std::string(extra ? "fed/" : "same_length/") + swatch.name;
-            benchmark::RegisterBenchmark(name.c_str(), settleSwatch, swatch, extra)
+            const std::string name = title + std::string(swatch.name);
+            benchmark::RegisterBenchmark(name.c_str(), settleSwatch, swatch, as)
                 ->Iterations(1)
                 ->Unit(benchmark::kMillisecond);
         }

@@ -25,7 +25,8 @@ const char* YarnChains::problem() const {
     }
     for (const RodYarn& y : yarns) {
         const bool positive = y.coreDiameter > 0 && y.outerDiameter > y.coreDiameter &&
-                              y.axialStiffness > 0 && y.bendingStiffness > 0 && y.contactStiffness >= 0;
+                              y.axialStiffness > 0 && y.bendingStiffness > 0 && y.contactStiffness >= 0 &&
+                              y.friction >= 0 && y.set >= 0 && y.set <= 1;
         if (!positive) {
             return "a yarn's numbers must be positive, its outer diameter larger than its core";
         }

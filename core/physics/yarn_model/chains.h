@@ -21,6 +21,8 @@ struct RodYarn {
     double axialStiffness = 1000;  ///< EA
     double bendingStiffness = 1;   ///< EI
     double contactStiffness = 0.1; ///< k of the kernel, EI/d^5
+    double friction = 0;           ///< mu, yarn on yarn
+    double set = 0;                ///< share of its curvature it keeps when it takes set, 0 to 1
 };
 
 /// A node or its image: `across` cell widths to the right and `up` cell heights above.

@@ -89,6 +89,21 @@ double ContactTerm::evaluate(const Vector& x, Vector* gradient) const {
     return energy;
 }
 
+std::vector<Press<2>> ContactTerm::presses(const Vector& x) const {
+    prepare(x);
+    std::vector<Press<2>> result;
+    for (const Candidate& c : m_candidates) {
+        const Eigen::Vector3d apart = position(x, m_cell, c.b) - at(x, c.a);
+        const double distance = apart.norm();
+        if (distance < m_kernels[c.kernel].reach() && distance > kTiny) {
+            result.push_back({{{Place{c.a, 0, 0}, c.b}, {-1, 1}},
+                              apart / distance,
+                              -c.weight * m_kernels[c.kernel].at(distance).slope});
+        }
+    }
+    return result;
+}
+
 void ContactTerm::linearise(const Vector& x) {
     prepare(x);
     m_hessian.parts().clear();

@@ -33,6 +33,9 @@ public:
     void addDiagonal(Eigen::Matrix3Xd& blocks) const override { m_hessian.addDiagonal(blocks); }
     void addBlocks(BlockSink& sink) const override { m_hessian.addBlocks(sink); }
 
+    /// What presses on what at x.
+    std::vector<Press<2>> presses(const Vector& x) const;
+
     /// For figures: pairs within reach at the last linearisation, and how often candidates were found.
     std::size_t pairCount() const { return m_pairCount; }
     int rebuilds() const { return m_rebuilds; }

@@ -117,6 +117,14 @@ double HardCoreTerm::evaluate(const Vector& x, Vector* gradient) const {
     return energy;
 }
 
+std::vector<Press<4>> HardCoreTerm::presses(const Vector& x) const {
+    std::vector<Press<4>> result;
+    forTouches(x, [&](const Touch& touch) {
+        result.push_back({touch.apart, touch.direction, -touch.value.slope});
+    });
+    return result;
+}
+
 void HardCoreTerm::linearise(const Vector& x) {
     m_hessian.parts().clear();
     forTouches(x, [&](const Touch& touch) {

@@ -23,6 +23,9 @@ public:
     /// Share of the true diameters, in (0, 1].
     void setThickness(double share);
 
+    /// What presses on what at x.
+    std::vector<Press<4>> presses(const Vector& x) const;
+
     double evaluate(const Vector& x, Vector* gradient) const override;
     void linearise(const Vector& x) override;
     void multiply(const Vector& v, Vector& y) const override { m_hessian.multiply(v, y); }

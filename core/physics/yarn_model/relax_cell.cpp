@@ -51,6 +51,20 @@ private:
     std::vector<double> m_stiffness; ///< by node
 };
 
+double meanOf(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// The proportions that the machine gives a loop.
+KnitCellStart startOf(const CellOptions& options, double loopLength) {
+    KnitCellStart start = options.start;
+    if (options.machine) {
+        start.widthFactor = loopLength / options.machine->waleSpacing;
+        start.heightFactor = 1.25 * start.widthFactor;
+    }
+    return start;
+}
+
 template<class Same> int smallestPeriod(int size, Same same) {
     for (int period = 1; period < size; ++period) {
         if (size % period == 0 && same(period)) {
@@ -65,22 +79,33 @@ template<class Same> int smallestPeriod(int size, Same same) {
 CellShape relaxCell(const KnitPurl& pattern, const std::vector<double>& loopLengths, const RodYarn& yarn,
                     const CellOptions& options) {
     CellShape result;
-    result.chains = knitCell(pattern, loopLengths, yarn, options.start);
+    result.loopLength = meanOf(loopLengths);
+    result.nodesPerLoop = options.start.nodesPerLoop;
+    result.chains = knitCell(pattern, loopLengths, yarn, startOf(options, result.loopLength));
     YarnModel model(result.chains);
     if (options.flattening > 0) {
         model.add(std::make_unique<FlatteningTerm>(result.chains, options.flattening));
     }
     const Vector start = result.chains.start();
     Motion motion{start, Vector::Zero(start.size()), 0};
-    result.relax = relaxYarns(model, motion, options.relax);
+    FrictionTerm* const friction = options.machine ? addFriction(model, result.chains) : nullptr;
+    result.relax = options.machine ? releaseCell(model, friction, motion, pattern.wales, pattern.courses,
+                                                 *options.machine, options.relax)
+                                   : relaxYarns(model, motion, options.relax);
+    if (yarn.set > 0 && isAtRest(result.relax.verdict)) {
+        model.takeSet(motion.positions);
+        result.chains.restCurvature = model.bend().restCurvatures();
+        const YarnRelaxReport before = result.relax;
+        result.relax = makeLoadStep(model, friction, motion, {.relax = options.relax});
+        result.relax.addWork(before);
+    }
     result.shape = motion.positions;
+    result.energy = model.elasticEnergy(result.shape);
     result.faults = findLoopFaults(pattern, result.chains, result.shape, options.start.nodesPerLoop);
 
     const auto size = at(result.shape, model.cellEntry());
     result.waleSpacing = size.x() / pattern.wales;
     result.courseSpacing = size.y() / pattern.courses;
-    result.loopLength = std::accumulate(loopLengths.begin(), loopLengths.end(), 0.0) /
-                        static_cast<double>(loopLengths.size());
     const Eigen::Map<const Eigen::Matrix3Xd> nodes(result.shape.data(), 3, model.nodeCount());
     result.thickness = nodes.row(2).maxCoeff() - nodes.row(2).minCoeff() + yarn.outerDiameter;
     return result;

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "core/physics/yarn_model/cell_release.h"
 #include "core/physics/yarn_model/knit_cell.h"
 #include "core/physics/yarn_model/loop_certificate.h"
-#include "core/physics/yarn_model/relax_yarns.h"
 
-#include <span>
+#include <optional>
 #include <vector>
 
 namespace knittsim::physics {
@@ -15,6 +15,9 @@ struct CellOptions {
     /// Pull to the middle plane, by length of yarn and distance, EI/d^4: a fabric that lies flat. 0:
     /// floating.
     double flattening = 0;
+    /// With it the cell comes from a machine and the yarn's friction holds it; without it there is no
+    /// friction and the first curve's proportions are where it comes from.
+    std::optional<MachineHold> machine;
 };
 
 /// A repeat at rest, in d.
@@ -23,13 +26,16 @@ struct CellShape {
     double courseSpacing = 0;
     double loopLength = 0; ///< mean, of yarn at rest
     double thickness = 0;  ///< from the outside of the lowest to that of the highest yarn
+    double energy = 0;     ///< elastic, EI/d
     YarnRelaxReport relax;
     std::vector<LoopFault> faults; ///< stitches whose certificate does not hold
     YarnChains chains;
+    int nodesPerLoop = 24;
     Vector shape;
 };
 
-/// Settles one repeat with its width and height as unknowns. `loopLengths` by stitch, d.
+/// Settles one repeat with its width and height as unknowns; a yarn with set takes it then, and the repeat
+/// settles again. `loopLengths` by stitch, d.
 CellShape relaxCell(const KnitPurl& pattern, const std::vector<double>& loopLengths, const RodYarn& yarn,
                     const CellOptions& options = {});
 

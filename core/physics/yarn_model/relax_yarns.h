@@ -22,7 +22,15 @@ struct YarnRelaxReport {
     double residual = 0;
     double energy = 0;
     StrandAudit audit; ///< at the end
+
+    void addWork(const YarnRelaxReport& earlier) {
+        steps += earlier.steps;
+        evaluations += earlier.evaluations;
+    }
 };
+
+/// To rest, the yarns as thick as they are.
+YarnRelaxReport settleYarns(YarnModel& model, Motion& motion, const YarnRelaxOptions& options = {});
 
 /// From strands that may be nearer than their cores to rest: with yarns so thin that no cores overlap, which
 /// then grow to their true diameter as room is made for them. A cell that folds up to less than a yarn is

@@ -23,7 +23,8 @@ RodBendTerm::RodBendTerm(const YarnChains& chains)
                 {{{c.place(i - 1), c.place(i), c.place(i + 1)}, {before, -(before + after), after}},
                  length,
                  yarn.bendingStiffness / length,
-                 length * curvature});
+                 length * curvature,
+                 yarn.set});
         }
     }
 }
@@ -60,6 +61,20 @@ void RodBendTerm::linearise(const Vector& x) {
         }
         m_hessian.parts().push_back({b.turn, stiffness});
     }
+}
+
+void RodBendTerm::takeSet(const Vector& x) {
+    for (Bend& b : m_bends) {
+        b.restTurn = b.set * b.turn.of(x, m_hessian.cell()).norm();
+    }
+}
+
+std::vector<double> RodBendTerm::restCurvatures() const {
+    std::vector<double> result(m_nodeCount, 0);
+    for (const Bend& b : m_bends) {
+        result[static_cast<std::size_t>(b.turn.places[1].node)] = b.restTurn / b.length;
+    }
+    return result;
 }
 
 std::vector<double> RodBendTerm::curvatures(const Vector& x) const {

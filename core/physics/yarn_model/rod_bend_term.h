@@ -21,8 +21,14 @@ public:
     void addDiagonal(Eigen::Matrix3Xd& blocks) const override { m_hessian.addDiagonal(blocks); }
     void addBlocks(BlockSink& sink) const override { m_hessian.addBlocks(sink); }
 
-    /// |b| / l by node, 0 at the ends of open chains: what `set` makes a rest curvature of.
+    /// |b| / l by node, 0 at the ends of open chains.
     std::vector<double> curvatures(const Vector& x) const;
+
+    /// Every yarn keeps its RodYarn::set of the curvature that it has at x as rest curvature.
+    void takeSet(const Vector& x);
+
+    /// k0 by node.
+    std::vector<double> restCurvatures() const;
 
 private:
     struct Bend {
@@ -30,6 +36,7 @@ private:
         double length = 0;    ///< l
         double stiffness = 0; ///< EI / l
         double restTurn = 0;  ///< l k0
+        double set = 0;       ///< of its yarn
     };
 
     std::size_t m_nodeCount;

@@ -38,6 +38,13 @@ template<std::size_t Count> struct Stencil {
     }
 };
 
+/// Two places, or points between places, that press on each other.
+template<std::size_t Count> struct Press {
+    Stencil<Count> apart;      ///< from the first to the second; their nodes begin and end it
+    Eigen::Vector3d direction; ///< of `apart`, unit
+    double force = 0;          ///< >= 0
+};
+
 /// Sum of J^T S J over stencils J with symmetric 3x3 matrices S: the Hessian of an energy of differences.
 template<std::size_t Count> class StencilHessian {
 public:

@@ -33,6 +33,9 @@ public:
     void setPinned(Entry entry, bool pinned);
     bool isPinned(Entry entry) const { return m_pinned[static_cast<std::size_t>(entry)] != 0; }
 
+    /// Yarns take set at x (a fabric that is steamed, or has lain long).
+    void takeSet(const Vector& x) { m_bend.takeSet(x); }
+
     /// Share of the true diameters, in (0, 1].
     void setThickness(double share);
     double thickness() const { return m_contact.thickness(); }
@@ -40,9 +43,16 @@ public:
     const RodStretchTerm& stretch() const { return m_stretch; }
     const RodBendTerm& bend() const { return m_bend; }
     const ContactTerm& contact() const { return m_contact; }
+    const HardCoreTerm& cores() const { return m_cores; }
 
     /// At the present thickness.
     StrandAudit audit(const Vector& x) const { return m_guard.audit(x, thickness()); }
+
+    /// Of the yarns and what they do to each other, without surroundings and friction.
+    double elasticEnergy(const Vector& x) const {
+        return m_stretch.evaluate(x, nullptr) + m_bend.evaluate(x, nullptr) + m_contact.evaluate(x, nullptr) +
+               m_cores.evaluate(x, nullptr);
+    }
 
     void setInterrupt(const Interrupt& interrupt) override { m_interrupt = interrupt; }
     double evaluate(const Vector& x, Vector* gradient) const override;

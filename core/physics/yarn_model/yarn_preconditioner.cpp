@@ -62,11 +62,14 @@ void YarnPreconditioner::build(double massFactor) {
     m_model.m_bend.addBlocks(sink);
 
     Eigen::Matrix3Xd held = Eigen::Matrix3Xd::Zero(3, m_model.size());
-    m_model.m_contact.addDiagonal(held);
-    m_model.m_cores.addDiagonal(held);
     for (const auto& term : m_model.m_others) {
         term->addDiagonal(held);
     }
+    if (cellMoves) { // what acts on the cell itself
+        m_corner += held.middleCols<3>(Eigen::Index{3} * m_model.cellEntry());
+    }
+    m_model.m_contact.addDiagonal(held);
+    m_model.m_cores.addDiagonal(held);
     Eigen::Vector3d cell = Eigen::Vector3d::Ones();
     if (bordered) {
         cell.head<2>() = at(m_model.m_linearisedAt, m_model.cellEntry()).head<2>();

@@ -20,6 +20,7 @@ RodYarn toRod(const yarn::Yarn& yarn, const YarnUnits& units) {
     rod.axialStiffness = yarn.axialStiffnessMilliNewton / units.forceMilliNewton();
     rod.bendingStiffness = yarn.bendingStiffness / units.bendingStiffness;
     rod.contactStiffness = kContactStiffness * rod.bendingStiffness / std::pow(rod.outerDiameter, 5);
+    rod.friction = yarn.friction;
     return rod;
 }
 

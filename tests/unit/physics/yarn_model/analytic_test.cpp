@@ -67,6 +67,69 @@ TEST(Analytic, AClampedYarnBendsUnderALoadLikeABeam) {
     EXPECT_NEAR(at(x, kCount - 1).z(), -0.001 * std::pow(length, 3) / (3 * 2), 0.02 * 0.165);
 }
 
+/// End of a clamped yarn of length 10 under a load across it of `load` EI / length^2, over its length.
+Eigen::Vector2d endOfElastica(double load) {
+    YarnChains chains;
+    chains.yarns = {{1, 0.5, 1e5, 2, 0.1}};
+    constexpr int kCount = 101;
+    test::addChain(chains, test::line({0, 0, 0}, {10, 0, 0}, kCount));
+    YarnModel model(chains);
+    const double length = 10 - 0.05; // clamped half way between the first two nodes
+    std::vector<double> weights(kCount, 0);
+    weights.back() = load * 2 / (length * length);
+    model.add(std::make_unique<GravityTerm>(weights, Eigen::Vector3d(0, 0, -1)));
+    model.setPinned(0, true);
+    model.setPinned(1, true);
+    const Vector x = settle(model, chains, 1e-7);
+    return Eigen::Vector2d(at(x, kCount - 1).x() - 0.05, -at(x, kCount - 1).z()) / length;
+}
+
+TEST(Analytic, AClampedYarnBendsFarLikeTheElastica) {
+    // The pendulum equation with theta = 0 at the clamp and theta' = 0 at the end, integrated numerically; as
+    // in the tables of Bisshopp and Drucker 1945.
+    const Eigen::Vector2d mild = endOfElastica(1);
+    EXPECT_NEAR(mild.x(), 0.9436, 0.002);
+    EXPECT_NEAR(mild.y(), 0.3017, 0.002);
+    const Eigen::Vector2d far = endOfElastica(5);
+    EXPECT_NEAR(far.x(), 0.6124, 0.004);
+    EXPECT_NEAR(far.y(), 0.7138, 0.004);
+    const Eigen::Vector2d farther = endOfElastica(10);
+    EXPECT_NEAR(farther.x(), 0.4450, 0.005);
+    EXPECT_NEAR(farther.y(), 0.8106, 0.005);
+}
+
+TEST(Analytic, ACoilOfSetYarnResistsByItsCurvatureAlone) {
+    // Pulled to a slope a without turning its ends, a coil of n turns has the curvature 2 pi n cos(a) / L;
+    // torsion is free. So it is soft at first: 1/2 EI L k0^2 (1 - cos a)^2, with no stiffness at a = 0.
+    constexpr int kCount = 401;
+    constexpr int kTurns = 5;
+    constexpr double kLength = 60;
+    const auto coil = [&](double slope) {
+        YarnChains chains;
+        chains.yarns = {{1, 0.5, 1000, 3, 0.1}};
+        const double radius = kLength * std::cos(slope) / (2 * std::numbers::pi * kTurns);
+        std::vector<Eigen::Vector3d> points;
+        for (int i = 0; i < kCount; ++i) {
+            const double share = static_cast<double>(i) / (kCount - 1);
+            const double t = 2 * std::numbers::pi * kTurns * share;
+            points.emplace_back(radius * std::cos(t), radius * std::sin(t),
+                                kLength * std::sin(slope) * share);
+        }
+        test::addChain(chains, points);
+        return chains;
+    };
+    YarnChains set = coil(0);
+    set.yarns[0].set = 1;
+    RodBendTerm bend(set);
+    bend.takeSet(set.start());
+    EXPECT_NEAR(bend.evaluate(set.start(), nullptr), 0, 1e-12);
+    const double curvature = 2 * std::numbers::pi * kTurns / kLength;
+    for (const double slope : {0.2, 0.5, 1.0}) {
+        const double expected = 0.5 * 3 * kLength * std::pow(curvature * (1 - std::cos(slope)), 2);
+        EXPECT_NEAR(bend.evaluate(coil(slope).start(), nullptr), expected, 0.01 * expected) << slope;
+    }
+}
+
 TEST(Analytic, AClosedStraightYarnSpringsIntoACircle) {
     YarnChains chains;
     chains.yarns = {{1, 0.5, 1000, 2, 0.1}};

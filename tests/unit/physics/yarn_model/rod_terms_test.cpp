@@ -1,6 +1,8 @@
 #include "../check_derivatives.h"
 #include "chains_for_tests.h"
+#include "core/physics/yarn_model/cell_load_term.h"
 #include "core/physics/yarn_model/contact_term.h"
+#include "core/physics/yarn_model/friction_term.h"
 #include "core/physics/yarn_model/gravity_term.h"
 #include "core/physics/yarn_model/hard_core_term.h"
 #include "core/physics/yarn_model/rod_bend_term.h"
@@ -40,6 +42,26 @@ YarnChains withSet(YarnChains chains, double curvature) {
     return chains;
 }
 
+YarnChains rough(YarnChains chains) {
+    for (std::size_t i = 0; i < chains.yarns.size(); ++i) {
+        chains.yarns[i].friction = 0.2 + 0.3 * static_cast<double>(i);
+    }
+    return chains;
+}
+
+/// Held at a shape that every coordinate has left by up to `slip`.
+std::unique_ptr<EnergyTerm> friction(const YarnChains& chains, double slip) {
+    auto term = std::make_unique<FrictionTerm>(chains);
+    std::mt19937 random(9);
+    Vector reference = chains.start();
+    for (double& coordinate : reference) {
+        coordinate += test::uniform(random, -slip, slip);
+    }
+    term->holdAt(reference);
+    term->lag(ContactTerm(chains), HardCoreTerm(chains), chains.start());
+    return term;
+}
+
 const std::vector<Case>& cases() {
     using test::course;
     using test::twoYarns;
@@ -66,6 +88,21 @@ const std::vector<Case>& cases() {
              return chains;
          },
          makeTerm<HardCoreTerm>, HessianIs::GaussNewton},
+        {"FrictionSticks", [](unsigned s) { return rough(twoYarns(s, 1, 0.7)); },
+         [](const YarnChains& c) { return friction(c, 0.2 * FrictionTerm::kThreshold); }},
+        {"FrictionSlips", [](unsigned s) { return rough(twoYarns(s, 1, 0.7)); },
+         [](const YarnChains& c) { return friction(c, 0.1); }},
+        {"FrictionOfCores", [](unsigned s) { return rough(twoYarns(s, 1, 0.5)); },
+         [](const YarnChains& c) { return friction(c, 0.1); }},
+        {"FrictionPeriodic", [](unsigned s) { return rough(course(s, 1)); },
+         [](const YarnChains& c) { return friction(c, 0.1); }},
+        {"CellLoad", [](unsigned s) { return course(s, 1); },
+         [](const YarnChains& c) {
+             auto term = std::make_unique<CellLoadTerm>(c.cellEntry());
+             term->hold(CellLoadTerm::Width, 3, 7);
+             term->pull(CellLoadTerm::Height, 2);
+             return term;
+         }},
         {"Gravity", [](unsigned s) { return twoYarns(s, 1, 1); },
          [](const YarnChains& c) {
              return std::make_unique<GravityTerm>(nodeLengths(c), Eigen::Vector3d(0, -1, 0.5));
@@ -166,6 +203,23 @@ TEST(RodBendTerm, OfARingThatIsFullySetVanishes) {
     YarnChains set = straight;
     set.restCurvature = RodBendTerm(straight).curvatures(straight.start());
     EXPECT_NEAR(RodBendTerm(set).evaluate(set.start(), nullptr), 0, 1e-20);
+}
+
+TEST(RodBendTerm, EveryYarnTakesItsOwnSet) {
+    YarnChains chains = ring(50, 4);
+    chains.yarns = {{1, 0.5, 100, 3, 0.1, 0, 0.25}, {1, 0.5, 100, 3, 0.1, 0, 1}};
+    test::addChain(chains, {{0, 0, 9}, {1, 0, 9}, {1, 1, 9}}, 1);
+    RodBendTerm bend(chains);
+    const std::vector<double> before = bend.curvatures(chains.start());
+    bend.takeSet(chains.start());
+    const std::vector<double> rest = bend.restCurvatures();
+    EXPECT_NEAR(rest[7], 0.25 * before[7], 1e-12);
+    EXPECT_NEAR(rest[51], before[51], 1e-12);
+    EXPECT_GT(rest[51], 0.5);
+    // As if it had been made like that.
+    chains.restCurvature = rest;
+    EXPECT_NEAR(RodBendTerm(chains).evaluate(chains.start(), nullptr), bend.evaluate(chains.start(), nullptr),
+                1e-12);
 }
 
 TEST(RodStretchTerm, PullsWithForceByStrain) {

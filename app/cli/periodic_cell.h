@@ -1,0 +1,62 @@
+#pragma once
+
+#include "app/cli/load.h"
+#include "core/physics/yarn_model/fabric_repeat.h"
+#include "core/physics/yarn_model/yarn_units.h"
+
+#include <CLI/App.hpp>
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace knittsim::cli {
+
+struct PeriodicOptions {
+    std::string integrator; ///< the fastest when empty
+    double until = 1e-3;    ///< residual
+    double maxSeconds = 60;
+    std::optional<double> friction; ///< instead of the yarn's; 0: the cell settles without a history
+    double set = 0;                 ///< share of its curvature that the yarn keeps
+};
+
+/// --friction and --set.
+void addYarnPhysics(CLI::App& command, std::optional<double>& friction, double& set);
+
+/// Says when the time is over.
+class Deadline {
+public:
+    explicit Deadline(double mostSeconds)
+        : m_start(std::chrono::steady_clock::now()), m_mostSeconds(mostSeconds),
+          m_late([this] { return seconds() > m_mostSeconds; }) {}
+    Deadline(const Deadline&) = delete;
+    Deadline& operator=(const Deadline&) = delete;
+
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
+    }
+    const std::function<bool()>& late() const { return m_late; }
+
+private:
+    std::chrono::steady_clock::time_point m_start;
+    double m_mostSeconds;
+    std::function<bool()> m_late;
+};
+
+/// The repeat of a fabric, settled in the yarn model.
+struct PeriodicCell {
+    physics::FabricRepeat found;
+    physics::YarnUnits units;
+    physics::RodYarn rod;
+    physics::CellShape cell;
+};
+
+/// Solver, residual and deadline as the options say; `options` and `deadline` must outlive the result.
+physics::YarnRelaxOptions relaxOptions(const PeriodicOptions& options, const Deadline& deadline);
+
+/// Says on stderr why when there is no repeat.
+std::optional<PeriodicCell> settlePeriodic(const Loaded& loaded, const PeriodicOptions& options,
+                                           const Deadline& deadline, int nodesPerLoop = 24);
+
+} // namespace knittsim::cli
