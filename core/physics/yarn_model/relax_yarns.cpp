@@ -6,9 +6,8 @@ namespace knittsim::physics {
 
 namespace {
 constexpr double kRoom = 1.15;   ///< smallest distance over core diameter that yarns may grow to
-constexpr double kGrowth = 1.25; ///< at most, from one stage to the next
+constexpr double kGrowth = 1.25; ///< at most, from one step to the next
 constexpr double kLeastGrowth = 1.03;
-constexpr int kStepsPerStage = 1;
 constexpr double kThinnest = 0.02;
 constexpr double kNarrowest = 0.25; ///< cell over yarn diameter: below, it has folded up
 
@@ -18,53 +17,57 @@ bool foldedUp(const YarnModel& model, const Vector& x) {
 }
 } // namespace
 
-YarnRelaxReport relaxYarns(YarnModel& model, Motion& motion, const YarnRelaxOptions& options) {
-    YarnRelaxReport report;
-    const auto integrator = makeIntegrator(options.integrator);
-    StopRule rule;
-    rule.setLimit(options.residual);
-    rule.setReference(model);
+YarnRelaxation::YarnRelaxation(YarnModel& model, Motion& motion, const char* integrator, double residual)
+    : m_model(model), m_motion(motion), m_integrator(makeIntegrator(integrator)) {
+    m_rule.setLimit(residual);
+    m_rule.setReference(model);
+    m_thickness = std::clamp(fitting(), kThinnest, 1.0);
+    m_model.setThickness(m_thickness);
+    m_integrator->initialise(m_model, m_motion);
+}
 
-    // The thickness at which the nearest cores still have room between them.
-    const auto fitting = [&] {
-        model.setThickness(1);
-        const StrandAudit audit = model.audit(motion.positions);
-        return audit.worstA < 0 ? 1.0 : audit.smallestDistance / (kRoom * audit.worstCore);
-    };
-    double thickness = std::clamp(fitting(), kThinnest, 1.0);
-    model.setThickness(thickness);
-    integrator->initialise(model, motion);
-    int stageSteps = 0;
-    while (report.evaluations < options.mostEvaluations) {
-        const StepReport step = integrator->step(motion, Interrupt(options.cancelled));
-        if (step.outcome == StepReport::Outcome::Cancelled) {
-            break;
-        }
-        ++report.steps;
-        report.evaluations += step.evaluations;
-        report.residual = rule.residual(step.forceNorm);
-        report.energy = step.potential;
-        if (foldedUp(model, motion.positions)) {
-            report.verdict = StopRule::Verdict::Diverged;
-            break;
-        }
-        if (thickness < 1) {
-            if (++stageSteps < kStepsPerStage && step.outcome == StepReport::Outcome::Moved) {
-                continue;
-            }
-            thickness = std::clamp(fitting(), kLeastGrowth * thickness, kGrowth * thickness);
-            thickness = std::min(thickness, 1.0);
-            model.setThickness(thickness);
-            integrator->initialise(model, motion);
-            rule.restart();
-            stageSteps = 0;
-            continue;
-        }
-        report.verdict = rule.judge(step, motion.positions, integrator->takesLargeSteps());
-        if (report.verdict != StopRule::Verdict::GoOn) {
-            break;
-        }
+/// The thickness at which the nearest cores still have room between them.
+double YarnRelaxation::fitting() {
+    m_model.setThickness(1);
+    const StrandAudit audit = m_model.audit(m_motion.positions);
+    return audit.worstA < 0 ? 1.0 : audit.smallestDistance / (kRoom * audit.worstCore);
+}
+
+void YarnRelaxation::grow() {
+    m_thickness = std::clamp(fitting(), kLeastGrowth * m_thickness, kGrowth * m_thickness);
+    m_thickness = std::min(m_thickness, 1.0);
+    m_model.setThickness(m_thickness);
+    m_integrator->initialise(m_model, m_motion);
+    m_rule.restart();
+}
+
+bool YarnRelaxation::step(const Interrupt& interrupt) {
+    m_last = m_integrator->step(m_motion, interrupt);
+    if (m_last.outcome == StepReport::Outcome::Cancelled) {
+        return false;
     }
+    ++m_report.steps;
+    m_report.evaluations += m_last.evaluations;
+    m_report.residual = m_rule.residual(m_last.forceNorm);
+    m_report.energy = m_last.potential;
+    if (foldedUp(m_model, m_motion.positions)) {
+        m_report.verdict = StopRule::Verdict::Diverged;
+        return false;
+    }
+    if (m_thickness < 1) {
+        grow();
+        return true;
+    }
+    m_report.verdict = m_rule.judge(m_last, m_motion.positions, m_integrator->takesLargeSteps());
+    return m_report.verdict == StopRule::Verdict::GoOn;
+}
+
+YarnRelaxReport relaxYarns(YarnModel& model, Motion& motion, const YarnRelaxOptions& options) {
+    YarnRelaxation relaxation(model, motion, options.integrator, options.residual);
+    while (relaxation.report().evaluations < options.mostEvaluations &&
+           relaxation.step(Interrupt(options.cancelled))) {
+    }
+    YarnRelaxReport report = relaxation.report();
     report.audit = model.audit(motion.positions);
     return report;
 }

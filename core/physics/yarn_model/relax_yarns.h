@@ -24,9 +24,35 @@ struct YarnRelaxReport {
     StrandAudit audit; ///< at the end
 };
 
-/// From strands that may be nearer than their cores to rest: with yarns so thin that no cores overlap, which
-/// then grow to their true diameter as room is made for them. A cell that folds up to less than a yarn is
-/// given up as Diverged.
+/// From strands that may be nearer than their cores to rest, step by step: with yarns so thin that no cores
+/// overlap, which then grow to their true diameter as room is made for them. A cell that folds up to less
+/// than a yarn is given up as Diverged.
+class YarnRelaxation {
+public:
+    /// Model and motion must outlive it; nobody else moves them.
+    YarnRelaxation(YarnModel& model, Motion& motion, const char* integrator, double residual);
+
+    /// One step of the integrator. False when there is nothing more to do: see report().verdict.
+    bool step(const Interrupt& interrupt);
+
+    /// Without the audit.
+    const YarnRelaxReport& report() const { return m_report; }
+    const StepReport& last() const { return m_last; }
+
+private:
+    double fitting();
+    void grow();
+
+    YarnModel& m_model;
+    Motion& m_motion;
+    std::unique_ptr<Integrator> m_integrator;
+    StopRule m_rule;
+    YarnRelaxReport m_report;
+    StepReport m_last;
+    double m_thickness = 1;
+};
+
+/// All steps, then the audit.
 YarnRelaxReport relaxYarns(YarnModel& model, Motion& motion, const YarnRelaxOptions& options = {});
 
 } // namespace knittsim::physics

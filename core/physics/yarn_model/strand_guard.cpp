@@ -115,17 +115,39 @@ double StrandGuard::allowed(const Vector& x, const Vector& move) {
     double factor = std::min(1.0, kShare * m_range / std::max(any, 1e-300));
     for (Pair& pair : m_pairs) {
         const double motion = relativeMotion(move, pair);
-        const double known = pair.distance - (m_odometer - pair.odometer);
-        if (factor * motion <= kShare * known) {
+        if (factor * motion <= kShare * lowerBound(pair)) {
             continue;
         }
-        pair.distance = distanceOf(x, pair);
-        pair.odometer = m_odometer;
+        renewDistance(x, pair);
         if (factor * motion > kShare * pair.distance) {
             factor = kShare * pair.distance / motion;
         }
     }
     return factor;
+}
+
+void StrandGuard::lowerShares(const Vector& x, const Vector& move, std::vector<double>& share) {
+    prepare(x);
+    for (Pair& pair : m_pairs) {
+        const double motion = relativeMotion(move, pair);
+        if (motion <= kShare * lowerBound(pair)) {
+            continue;
+        }
+        renewDistance(x, pair);
+        if (motion > kShare * pair.distance) {
+            const Segment& a = m_segments[pair.a];
+            const Segment& b = m_segments[pair.b];
+            lower(share, {a.node, a.next.node, b.node, b.next.node}, kShare * pair.distance / motion);
+        }
+    }
+    // Strands that are not known to be near are farther apart than the range.
+    const double any = 0.5 * kShare * m_range;
+    for (Entry e = 0; e < m_nodeCount; ++e) {
+        const double own = at(move, e).norm();
+        if (own > any) {
+            lower(share, {e}, any / own);
+        }
+    }
 }
 
 StrandAudit StrandGuard::audit(const Vector& x, double thickness) {

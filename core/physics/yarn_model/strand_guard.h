@@ -4,6 +4,8 @@
 #include "core/physics/yarn_model/near_places.h"
 #include "core/physics/yarn_model/own_stretch.h"
 
+#include <algorithm>
+#include <initializer_list>
 #include <vector>
 
 namespace knittsim::physics {
@@ -34,6 +36,18 @@ public:
     /// Largest factor in [0, 1] by which `move` may be made from x.
     double allowed(const Vector& x, const Vector& move);
 
+    /// Lowers the shares (by node) by which `move` may be made from x where pairs of segments are in the way:
+    /// a help to shorten a move only where that is needed. What it leaves is for `allowed` to check.
+    void lowerShares(const Vector& x, const Vector& move, std::vector<double>& share);
+
+    /// share[node] = min(share[node], by)
+    static void lower(std::vector<double>& share, std::initializer_list<Entry> nodes, double by) {
+        for (const Entry e : nodes) {
+            double& own = share[static_cast<std::size_t>(e)];
+            own = std::min(own, by);
+        }
+    }
+
     /// Core diameters are those of the yarns times `thickness`.
     StrandAudit audit(const Vector& x, double thickness = 1);
 
@@ -61,6 +75,11 @@ private:
     bool neighbours(const NearPair& pair) const;
     double distanceOf(const Vector& x, const Pair& pair) const;
     double relativeMotion(const Vector& move, const Pair& pair) const;
+    double lowerBound(const Pair& pair) const { return pair.distance - (m_odometer - pair.odometer); }
+    void renewDistance(const Vector& x, Pair& pair) const {
+        pair.distance = distanceOf(x, pair);
+        pair.odometer = m_odometer;
+    }
     void prepare(const Vector& x);
     void findPairs(const Vector& x);
 

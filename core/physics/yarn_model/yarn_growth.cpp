@@ -1,0 +1,147 @@
+#include "core/physics/yarn_model/yarn_growth.h"
+
+#include "core/base/segment_distance.h"
+#include "core/physics/yarn_model/near_places.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace knittsim::physics {
+
+namespace {
+constexpr double kShell = 0.5;   ///< of the soft shell that strands keep between their cores
+constexpr double kSkin = 0.4;    ///< outer diameters of the thickest yarn
+constexpr double kGrowth = 1.05; ///< in a sweep
+constexpr double kSmoothing = 0.15;
+constexpr double kRelaxation = 1.2;
+} // namespace
+
+YarnGrowth::YarnGrowth(const YarnChains& chains, std::vector<Entry> fixed, double thickness)
+    : m_chains(chains.chains), m_own(chains), m_fixed(std::move(fixed)), m_thickness(thickness),
+      m_skin(chains.nodeCount(), -1, kSkin * thickestYarn(chains.yarns)) {
+    for (const Chain& chain : chains.chains) {
+        const RodYarn& yarn = chains.yarns[static_cast<std::size_t>(chain.yarn)];
+        const double wanted = yarn.coreDiameter + kShell * (yarn.outerDiameter - yarn.coreDiameter);
+        for (Entry i = 0; i < chain.segmentCount(); ++i) {
+            const Entry node = chain.first + i;
+            const double rest = chains.restLength[static_cast<std::size_t>(node)];
+            m_segments.push_back({node, yarn.coreDiameter, wanted, rest,
+                                  OwnStretch::kExclusion * 0.5 * yarn.outerDiameter + rest});
+        }
+        m_range = std::max(m_range, wanted);
+    }
+}
+
+void YarnGrowth::findPairs(const Vector& x) {
+    m_skin.renew(x, m_range);
+    m_pairs.clear();
+    Eigen::Matrix3Xd middles(3, static_cast<Eigen::Index>(m_segments.size()));
+    double longest = 0;
+    for (std::size_t i = 0; i < m_segments.size(); ++i) {
+        const Eigen::Vector3d begin = at(x, m_segments[i].node);
+        const Eigen::Vector3d end = at(x, m_segments[i].node + 1);
+        middles.col(static_cast<Eigen::Index>(i)) = 0.5 * (begin + end);
+        longest = std::max(longest, (end - begin).norm());
+    }
+    const double range = m_range + m_skin.thickness();
+    for (const NearPair& near : findNearPairs(middles, std::nullopt, range + longest)) {
+        const auto a = static_cast<std::uint32_t>(near.a);
+        const auto b = static_cast<std::uint32_t>(near.b.node);
+        const Entry nodeA = m_segments[a].node;
+        const Entry nodeB = m_segments[b].node;
+        if (std::abs(nodeA - nodeB) <= 1) {
+            continue; // they share a node, or nothing lies between them
+        }
+        const double distance =
+            closestPoints(at(x, nodeA), at(x, nodeA + 1), at(x, nodeB), at(x, nodeB + 1)).distance;
+        if (distance < range) {
+            m_pairs.push_back({a, b, m_own.along(nodeA, {nodeB, 0, 0}) < m_segments[a].exclusion});
+        }
+    }
+}
+
+void YarnGrowth::pullLengths(const Vector& x) {
+    for (const Segment& s : m_segments) {
+        const Eigen::Vector3d way = at(x, s.node + 1) - at(x, s.node);
+        const double length = way.norm();
+        if (length > 0) {
+            const Eigen::Vector3d move = (0.5 * (1 - s.rest / length)) * way;
+            add(s.node, move, 1);
+            add(s.node + 1, -move, 1);
+        }
+    }
+}
+
+void YarnGrowth::smooth(const Vector& x) {
+    for (const Chain& c : m_chains) {
+        for (Entry e = c.first + 1; e < c.first + c.count - 1; ++e) {
+            add(e, 0.5 * (at(x, e - 1) + at(x, e + 1)) - at(x, e), kSmoothing);
+        }
+    }
+}
+
+void YarnGrowth::pushApart(const Vector& x) {
+    m_room = 1e300;
+    for (const Pair& pair : m_pairs) {
+        const Segment& a = m_segments[pair.a];
+        const Segment& b = m_segments[pair.b];
+        const Eigen::Vector3d a0 = at(x, a.node);
+        const Eigen::Vector3d a1 = at(x, a.node + 1);
+        const Eigen::Vector3d b0 = at(x, b.node);
+        const Eigen::Vector3d b1 = at(x, b.node + 1);
+        const ClosestPoints closest = closestPoints(a0, a1, b0, b1);
+        for (const Entry e : {a.node, a.node + 1, b.node, b.node + 1}) {
+            double& clearance = m_clearance[static_cast<std::size_t>(e)];
+            clearance = std::min(clearance, closest.distance);
+        }
+        if (pair.oneStrand) {
+            continue;
+        }
+        m_room = std::min(m_room, closest.distance / (0.5 * (a.core + b.core)));
+        const double missing = m_thickness * 0.5 * (a.wanted + b.wanted) - closest.distance;
+        if (missing <= 0 || closest.distance <= 0) {
+            continue;
+        }
+        const double s = closest.s;
+        const double t = closest.t;
+        const Eigen::Vector3d apart = (b0 + t * (b1 - b0) - a0 - s * (a1 - a0)) / closest.distance;
+        const double squares = (1 - s) * (1 - s) + s * s + (1 - t) * (1 - t) + t * t;
+        const Eigen::Vector3d move = (missing / squares) * apart;
+        add(a.node, -(1 - s) * move, 1);
+        add(a.node + 1, -s * move, 1);
+        add(b.node, (1 - t) * move, 1);
+        add(b.node + 1, t * move, 1);
+    }
+}
+
+double YarnGrowth::sweep(Vector& x) {
+    if (m_skin.outOfDate(x)) {
+        findPairs(x);
+    }
+    const auto nodes = static_cast<std::size_t>(x.size() / 3);
+    m_move.setZero(x.size());
+    m_weight.assign(nodes, 0);
+    m_clearance.assign(nodes, m_range);
+    pullLengths(x);
+    pushApart(x);
+    smooth(x);
+    for (const Entry e : m_fixed) {
+        at(m_move, e).setZero();
+    }
+    double largest = 0;
+    for (std::size_t i = 0; i < nodes; ++i) {
+        const auto e = static_cast<Entry>(i);
+        Eigen::Vector3d move = at(m_move, e) * (kRelaxation / std::max(1.0, m_weight[i]));
+        const double length = move.norm();
+        const double most = kShare * m_clearance[i];
+        if (length > most) {
+            move *= most / length;
+        }
+        at(x, e) += move;
+        largest = std::max(largest, std::min(length, most));
+    }
+    m_thickness = std::min(1.0, m_thickness * kGrowth);
+    return largest;
+}
+
+} // namespace knittsim::physics
