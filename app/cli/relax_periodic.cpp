@@ -1,6 +1,7 @@
 #include "app/cli/relax_periodic.h"
 
 #include "app/cli/commands.h"
+#include "app/cli/verdict_text.h"
 #include "core/physics/yarn_model/fabric_repeat.h"
 #include "core/physics/yarn_model/relax_cell.h"
 #include "core/physics/yarn_model/yarn_units.h"
@@ -17,40 +18,19 @@ namespace {
 
 using physics::CellShape;
 using physics::FabricRepeat;
-using physics::StopRule;
-
-const char* reasonText(StopRule::Verdict verdict) {
-    using enum StopRule::Verdict;
-    switch (verdict) {
-    case ResidualReached:
-        return "residual reached";
-    case Stagnation:
-        return "shape and energy no longer change";
-    case StepLimit:
-        return "step limit";
-    case Diverged:
-        return "diverged";
-    case SolverFailed:
-        return "solver failed";
-    case GoOn:
-        break;
-    }
-    return "time limit";
-}
 
 nlohmann::ordered_json report(const Loaded& loaded, const FabricRepeat& found, const CellShape& cell,
                               const physics::YarnUnits& units, const std::string& integrator,
                               double wallSeconds) {
     const physics::KnitPurl& pattern = found.repeat.pattern;
-    const StopRule::Verdict verdict = cell.relax.verdict;
+    const physics::StopRule::Verdict verdict = cell.relax.verdict;
     const double mm = units.lengthMm;
     return {{"file", loaded.timeline->program().file},
             {"model", "yarn"},
             {"periodic", true},
             {"integrator", integrator},
-            {"converged",
-             verdict == StopRule::Verdict::ResidualReached || verdict == StopRule::Verdict::Stagnation},
-            {"reason", reasonText(verdict)},
+            {"converged", isAtRest(verdict)},
+            {"reason", verdictText(verdict)},
             {"residual", cell.relax.residual},
             {"steps", cell.relax.steps},
             {"evaluations", cell.relax.evaluations},
