@@ -148,4 +148,26 @@ std::vector<NearPair> findNearPairs(const Eigen::Matrix3Xd& points,
     return pairs;
 }
 
+std::vector<NearPair> findNearPairsOf(const Eigen::Matrix3Xd& points, const std::vector<char>& chosen,
+                                      double range) {
+    std::vector<NearPair> pairs;
+    if (points.cols() == 0 || !points.allFinite()) {
+        return pairs;
+    }
+    const Grid grid(points, std::nullopt, range);
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        if (chosen[static_cast<std::size_t>(i)] == 0) {
+            continue;
+        }
+        const auto a = static_cast<Entry>(i);
+        grid.forNear(points.col(i), [&](const Place& b) {
+            const bool once = chosen[static_cast<std::size_t>(b.node)] == 0 || b.node > a;
+            if (b.node != a && once) {
+                pairs.push_back({std::min(a, b.node), {std::max(a, b.node), 0, 0}});
+            }
+        });
+    }
+    return pairs;
+}
+
 } // namespace knittsim::physics

@@ -33,20 +33,35 @@ YarnGrowth::YarnGrowth(const YarnChains& chains, std::vector<Entry> fixed, doubl
 }
 
 void YarnGrowth::findPairs(const Vector& x) {
-    m_skin.renew(x, m_range);
-    m_pairs.clear();
+    const Skin::Age age = m_skin.renew(x, m_range);
+    if (age == Skin::Age::Fresh) {
+        return;
+    }
+    const Vector& places = m_skin.reference();
     Eigen::Matrix3Xd middles(3, static_cast<Eigen::Index>(m_segments.size()));
+    std::vector<char> moved(m_segments.size(), 0);
     double longest = 0;
     for (std::size_t i = 0; i < m_segments.size(); ++i) {
-        const Eigen::Vector3d begin = at(x, m_segments[i].node);
-        const Eigen::Vector3d end = at(x, m_segments[i].node + 1);
-        middles.col(static_cast<Eigen::Index>(i)) = 0.5 * (begin + end);
-        longest = std::max(longest, (end - begin).norm());
+        const Entry node = m_segments[i].node;
+        middles.col(static_cast<Eigen::Index>(i)) = 0.5 * (at(places, node) + at(places, node + 1));
+        longest = std::max(longest, (at(places, node + 1) - at(places, node)).norm());
+        moved[i] = age == Skin::Age::Partly && (m_skin.moved(node) || m_skin.moved(node + 1)) ? 1 : 0;
     }
-    const double range = m_range + m_skin.thickness();
-    for (const NearPair& near : findNearPairs(middles, std::nullopt, range + longest)) {
-        const auto a = static_cast<std::uint32_t>(near.a);
-        const auto b = static_cast<std::uint32_t>(near.b.node);
+    const double range = m_range + m_skin.thickness() + longest;
+    if (age == Skin::Age::Partly) {
+        std::erase_if(m_pairs, [&](const Pair& p) { return moved[p.a] != 0 || moved[p.b] != 0; });
+        addPairs(findNearPairsOf(middles, moved, range));
+    } else {
+        m_pairs.clear();
+        addPairs(findNearPairs(middles, std::nullopt, range));
+    }
+}
+
+void YarnGrowth::addPairs(const std::vector<NearPair>& near) {
+    const Vector& x = m_skin.reference();
+    for (const NearPair& pair : near) {
+        const auto a = static_cast<std::uint32_t>(pair.a);
+        const auto b = static_cast<std::uint32_t>(pair.b.node);
         const Entry nodeA = m_segments[a].node;
         const Entry nodeB = m_segments[b].node;
         if (std::abs(nodeA - nodeB) <= 1) {
@@ -54,7 +69,7 @@ void YarnGrowth::findPairs(const Vector& x) {
         }
         const double distance =
             closestPoints(at(x, nodeA), at(x, nodeA + 1), at(x, nodeB), at(x, nodeB + 1)).distance;
-        if (distance < range) {
+        if (distance < m_range + m_skin.thickness()) {
             m_pairs.push_back({a, b, m_own.along(nodeA, {nodeB, 0, 0}) < m_segments[a].exclusion});
         }
     }
@@ -115,9 +130,7 @@ void YarnGrowth::pushApart(const Vector& x) {
 }
 
 double YarnGrowth::sweep(Vector& x) {
-    if (m_skin.outOfDate(x)) {
-        findPairs(x);
-    }
+    findPairs(x);
     const auto nodes = static_cast<std::size_t>(x.size() / 3);
     m_move.setZero(x.size());
     m_weight.assign(nodes, 0);

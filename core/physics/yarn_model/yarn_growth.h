@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/physics/yarn_model/chains.h"
+#include "core/physics/yarn_model/near_places.h"
 #include "core/physics/yarn_model/own_stretch.h"
 #include "core/physics/yarn_model/skin.h"
 
@@ -48,6 +49,7 @@ private:
     };
 
     void findPairs(const Vector& x);
+    void addPairs(const std::vector<NearPair>& near);
     void pullLengths(const Vector& x);
     void pushApart(const Vector& x);
     void smooth(const Vector& x);
