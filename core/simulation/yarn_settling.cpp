@@ -23,7 +23,7 @@ constexpr double kHolding = 1;       ///< stiffness of comb, holder and knots ag
 constexpr double kPlates = 0.1;
 /// A fabric whose energy falls by less in so many steps is at rest for all that one can measure of it: what
 /// still moves are loose ends.
-constexpr double kEnergyAtRest = 5e-4;
+constexpr double kEnergyAtRest = 1e-3;
 constexpr std::size_t kStepsAtRest = 8;
 
 std::vector<Entry> endsOf(const physics::YarnChains& chains) {
