@@ -36,6 +36,11 @@ nlohmann::ordered_json loopJson(const Loaded& loaded, machine::LoopIndex loop) {
             {"course", loaded.fabric->loops[static_cast<std::size_t>(loop)].course}};
 }
 
+const char* reasonText(physics::StopRule::Verdict verdict) {
+    return verdict == physics::StopRule::Verdict::Stagnation ? "energy hardly falls any more"
+                                                             : verdictText(verdict);
+}
+
 /// What the audit found, with places.
 void addAudit(nlohmann::ordered_json& r, const Loaded& loaded, const YarnAudit& audit) {
     r["penetrations"] = audit.coreOverlaps;
@@ -65,7 +70,7 @@ nlohmann::ordered_json report(const Loaded& loaded, const YarnSettling& settling
             {"periodic", false},
             {"integrator", integrator},
             {"converged", isAtRest(rest.verdict)},
-            {"reason", verdictText(rest.verdict)},
+            {"reason", reasonText(rest.verdict)},
             {"residual", rest.residual},
             {"steps", rest.steps},
             {"evaluations", rest.evaluations},

@@ -21,6 +21,7 @@ constexpr int kStraightening = 20;
 constexpr double kRoomEnough = 1.03; ///< distance over core diameter
 constexpr double kHolding = 1;       ///< stiffness of comb, holder and knots against that of a segment
 constexpr double kPlates = 0.1;
+constexpr double kTwoFacedHalf = 2.4; ///< diameters: a rib is 3.4 to 4.8 thick (PHYSICS-REFERENCE 3.3)
 /// A fabric whose energy falls by less in so many steps is at rest for all that one can measure of it: what
 /// still moves are loose ends.
 constexpr double kEnergyAtRest = 1e-3;
@@ -32,6 +33,13 @@ std::vector<Entry> endsOf(const physics::YarnChains& chains) {
         ends.insert(ends.end(), {chain.first, chain.first + chain.count - 1});
     }
     return ends;
+}
+
+/// Stitches of both beds: the fabric finds its own thickness.
+bool isTwoFaced(const fabric::Fabric& f) {
+    const auto isFront = [](const machine::Loop& loop) { return machine::isFront(loop.needle.bed); };
+    const bool any = std::ranges::any_of(f.made.loops, isFront);
+    return any && !std::ranges::all_of(f.made.loops, isFront);
 }
 
 /// Puts the fabric in the middle of z = 0. Returns half of its relief.
@@ -136,7 +144,9 @@ void YarnSettling::startSettling() {
     }
     m_model->add(std::make_unique<physics::KnotTerm>(std::move(knots)));
     if (m_options.onTable) {
-        m_model->add(std::make_unique<physics::PlateTerm>(relief, kPlates * m_model->stiffnessScale()));
+        const double least = isTwoFaced(m_fabric) ? kTwoFacedHalf * m_model->thickestDiameter() : 0;
+        m_model->add(std::make_unique<physics::PlateTerm>(std::max(relief, least),
+                                                          kPlates * m_model->stiffnessScale()));
     }
     m_relaxation.emplace(*m_model, m_motion, m_options.integrator, m_options.residual);
     m_phase = Phase::Settling;

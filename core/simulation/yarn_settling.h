@@ -31,10 +31,11 @@ struct YarnAudit {
 class YarnSettling {
 public:
     struct Options {
-        YarnLayout layout;
+        YarnLayout layout{};
         const char* integrator = "implicit";
         double residual = 1e-3;
-        /// Between two plates as far apart as the relief of the fabric; else it may curl.
+        /// Between two soft plates, as far apart as the relief of the fabric with stitches of one bed,
+        /// farther where it has stitches of both; else it may curl.
         bool onTable = true;
     };
 
