@@ -159,7 +159,7 @@ bool YarnSettling::settle(const physics::Interrupt& interrupt) {
         return false;
     }
     m_energies.push_back(m_model->thickness() < 1 ? HUGE_VAL : m_report.energy);
-    if (goesOn && m_energies.size() > kStepsAtRest) {
+    if (goesOn && m_relaxation->takesLargeSteps() && m_energies.size() > kStepsAtRest) {
         const double before = m_energies[m_energies.size() - 1 - kStepsAtRest];
         if (before - m_report.energy < kEnergyAtRest * std::abs(m_report.energy)) {
             m_report.verdict = StopRule::Verdict::Stagnation;

@@ -38,6 +38,7 @@ public:
     /// Without the audit.
     const YarnRelaxReport& report() const { return m_report; }
     const StepReport& last() const { return m_last; }
+    bool takesLargeSteps() const { return m_integrator->takesLargeSteps(); }
 
 private:
     double fitting();
