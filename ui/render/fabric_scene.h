@@ -70,13 +70,17 @@ public:
     /// `positions`: 3 per entry, mm; empty: where the machine leaves them.
     std::shared_ptr<const SceneFrame> prepare(std::span<const float> positions);
 
+    /// Curves that somebody else has made of this fabric, with normal and height; not for Mesh.
+    std::shared_ptr<const SceneFrame> prepare(const geometry::YarnCurves& curves);
+
     /// Curves of the last frame, for picking. Not filled for Mesh.
     const geometry::YarnCurves& curves() const { return m_builder->curves(); }
 
 private:
     static void layOut(SceneTopology& topology, std::span<const geometry::YarnCurves::Range> yarns,
                        std::span<const fabric::PointIndex> pointOfNode);
-    void fillCurves(SceneFrame& frame) const;
+    std::shared_ptr<SceneFrame> emptyFrame() const;
+    void fillCurves(SceneFrame& frame, const geometry::YarnCurves& curves) const;
     void addChunks(SceneFrame& frame) const;
     void fillMesh(SceneFrame& frame, std::span<const float> positions) const;
     void addMarkers(SceneFrame& frame, std::span<const float> positions) const;
