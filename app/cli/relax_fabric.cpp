@@ -46,6 +46,7 @@ void addAudit(nlohmann::ordered_json& r, const Loaded& loaded, const YarnAudit& 
     r["penetrations"] = audit.coreOverlaps;
     r["max_penetration_mm"] = audit.deepestOverlapMm;
     r["nearest_strands"] = {loopJson(loaded, audit.worstLoop), loopJson(loaded, audit.worstOther)};
+    r["cut_corners"] = audit.cutCorners;
     r["doubtful_loops"] = audit.pullThroughs.size();
     nlohmann::ordered_json places = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < std::min(kPlaces, audit.pullThroughs.size()); ++i) {

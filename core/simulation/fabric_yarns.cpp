@@ -21,6 +21,8 @@ constexpr int kSamples = 6;         ///< of the curve between two control points
 constexpr double kLeastYarn = 0.3;  ///< of its share of the curve: spans with hardly any yarn
 constexpr double kLeastDepth = 0.5; ///< stretch along the third axis
 constexpr double kMostDepth = 4;
+constexpr double kNarrowest = 1 / 5.5;   ///< wale spacing to start from, loop lengths
+constexpr double kLowest = 1 / 6.5;      ///< course spacing, where the repeat does not tell it
 constexpr std::size_t kLargestCell = 16; ///< stitches of a repeat
 constexpr int kCellEvaluations = 5'000;
 constexpr double kSettleSeconds = 30;                    ///< for the bonding-point model
@@ -94,7 +96,12 @@ Eigen::Vector2d drawIn(const Fabric& f, std::span<const yarn::Yarn> yarns, const
         net.runToEnd(kSettleSeconds);
         const geometry::Measurement rest = geometry::measure(f, net.frame().positions);
         wale = wale > 0 ? wale : rest.waleSpacingMm;
-        course = course > 0 ? course : rest.courseSpacingMm;
+        // The net of bonding points has no thickness; yarn does not come out of so narrow a start.
+        course = course > 0 ? course : std::max(rest.courseSpacingMm, kLowest * meanLoopLength(f));
+        wale = wale > 0 ? wale : rest.waleSpacingMm;
+    }
+    if (!(layout.waleSpacingMm > 0)) {
+        wale = std::max(wale, kNarrowest * meanLoopLength(f));
     }
     const auto factor = [](double to, double from) { return to > 0 && from > 0 ? to / from : 1.0; };
     return {factor(wale, machine.waleSpacingMm), factor(course, machine.courseSpacingMm)};

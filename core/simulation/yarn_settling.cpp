@@ -16,8 +16,10 @@ using physics::StopRule;
 
 constexpr int kSweepsAtOnce = 10;
 constexpr int kMostSweeps = 200;
-constexpr double kCoarseFrom = 0.5; ///< thickness and room
-constexpr int kStraightening = 20;
+constexpr int kMostGrownSweeps = 150; ///< at full thickness; the rods make the rest of the room
+constexpr double kCoarseFrom = 0.5;  ///< thickness
+constexpr int kStraightening = 12;
+constexpr double kStraight = 1e-6;   ///< d
 constexpr double kRoomEnough = 1.03; ///< distance over core diameter
 constexpr double kHolding = 1;       ///< stiffness of comb, holder and knots against that of a segment
 constexpr double kPlates = 0.1;
@@ -88,41 +90,53 @@ void YarnSettling::grow() {
     }
     m_sweeps += kSweepsAtOnce;
     if (m_dense) {
-        if (m_growth->thickness() >= kCoarseFrom &&
-            (m_growth->room() > kCoarseFrom || m_sweeps >= kMostSweeps)) {
-            coarsen();
+        if (m_growth->thickness() >= kCoarseFrom) {
+            m_cutCorners = straighten();
+            if (m_cutCorners == 0 || m_sweeps >= kMostSweeps) {
+                coarsen();
+            }
         }
         return;
     }
-    const bool grown = m_growth->thickness() >= 1 && m_growth->room() > kRoomEnough;
-    if (grown || m_sweeps >= 2 * kMostSweeps) {
+    m_grownSweeps += m_growth->thickness() >= 1 ? kSweepsAtOnce : 0;
+    if (m_grownSweeps > 0 && (m_growth->room() > kRoomEnough || m_grownSweeps >= kMostGrownSweeps)) {
         startSettling();
     }
 }
 
-/// Every second node goes to the middle of its neighbours, as far as no strand is in the way, and is left
-/// out.
-void YarnSettling::coarsen() {
+/// Every second node goes to the middle of its neighbours as far as no strand is in the way. Returns how many
+/// do not get there.
+int YarnSettling::straighten() {
     physics::Vector& x = m_motion.positions;
     physics::StrandGuard guard(m_yarns.chains);
     for (int round = 0; round < kStraightening; ++round) {
         physics::Vector move = physics::Vector::Zero(x.size());
+        int left = 0;
         for (const physics::Chain& chain : m_yarns.chains.chains) {
             for (Entry e = chain.first + 1; e < chain.first + chain.count - 1; e += 2) {
-                physics::at(move, e) =
-                    0.5 * (physics::at(x, e - 1) + physics::at(x, e + 1)) - physics::at(x, e);
+                const Eigen::Vector3d middle = 0.5 * (physics::at(x, e - 1) + physics::at(x, e + 1));
+                physics::at(move, e) = middle - physics::at(x, e);
+                left += physics::at(move, e).norm() > kStraight ? 1 : 0;
             }
         }
-        const double allowed = guard.allowed(x, move);
-        x += allowed * move;
-        if (allowed == 1) {
-            break;
+        if (left == 0 || round + 1 == kStraightening) {
+            return left;
         }
+        std::vector<double> share(static_cast<std::size_t>(m_yarns.chains.nodeCount()), 1);
+        guard.lowerShares(x, move, share);
+        for (std::size_t e = 0; e < share.size(); ++e) {
+            physics::at(move, static_cast<Entry>(e)) *= share[e];
+        }
+        x += guard.allowed(x, move) * move;
     }
+    return 0;
+}
+
+void YarnSettling::coarsen() {
     const double thickness = m_growth->thickness();
-    m_yarns = withHalfTheNodes(m_fabric, m_yarns, x);
-    x = m_yarns.chains.start();
-    m_motion.velocities.setZero(x.size());
+    m_yarns = withHalfTheNodes(m_fabric, m_yarns, m_motion.positions);
+    m_motion.positions = m_yarns.chains.start();
+    m_motion.velocities.setZero(m_motion.positions.size());
     m_growth.emplace(m_yarns.chains, endsOf(m_yarns.chains), thickness);
     m_dense = false;
 }
@@ -178,6 +192,7 @@ YarnAudit YarnSettling::audit() const {
         return audit;
     }
     const physics::StrandAudit strands = physics::StrandGuard(m_yarns.chains).audit(shape());
+    audit.cutCorners = m_cutCorners;
     audit.coreOverlaps = strands.coreOverlaps;
     audit.deepestOverlapMm = strands.deepestOverlap * m_yarns.units.lengthMm;
     const auto loopAt = [&](Entry node) {

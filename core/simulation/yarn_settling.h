@@ -19,10 +19,13 @@ struct YarnAudit {
     /// Loops of which the shape does not show that they are drawn through those below. No step lets strands
     /// pass each other, so in a fabric that curls up this is doubt rather than proof.
     std::vector<geometry::PullThrough> pullThroughs;
+    /// Nodes that had to be left out before the way was free: there, and only there, a strand may have passed
+    /// another.
+    int cutCorners = 0;
     std::size_t expectedCrossings = 0; ///< of the projection, while the fabric lies flat
     std::size_t foundCrossings = 0;
 
-    bool holds() const { return coreOverlaps == 0 && pullThroughs.empty(); }
+    bool holds() const { return coreOverlaps == 0 && cutCorners == 0 && pullThroughs.empty(); }
 };
 
 /// Settles a whole fabric in the yarn model, step by step: thin yarns along the machine's curves, drawn in
@@ -59,6 +62,7 @@ public:
 
 private:
     void grow();
+    int straighten();
     void coarsen();
     void startSettling();
     bool settle(const physics::Interrupt& interrupt);
@@ -69,6 +73,8 @@ private:
     const char* m_problem = "";
     Phase m_phase = Phase::Growing;
     int m_sweeps = 0;
+    int m_grownSweeps = 0; ///< of them at full thickness
+    int m_cutCorners = 0;
     bool m_dense = true; ///< twice the nodes, until the yarns have some thickness
     physics::Motion m_motion;
     std::optional<physics::YarnGrowth> m_growth;

@@ -24,6 +24,7 @@ public:
     Skin(Entry nodeCount, Entry cell, double thickness)
         : m_nodeCount(nodeCount), m_cell(cell), m_thickness(thickness) {}
 
+    Entry nodeCount() const { return m_nodeCount; }
     double thickness() const { return m_thickness; }
     void forget() { m_reference.resize(0); }
 

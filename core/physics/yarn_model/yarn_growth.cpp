@@ -10,7 +10,8 @@ namespace knittsim::physics {
 
 namespace {
 constexpr double kShell = 0.5;   ///< of the soft shell that strands keep between their cores
-constexpr double kSkin = 0.4;    ///< outer diameters of the thickest yarn
+constexpr double kSkin = 0.5;    ///< of the range
+constexpr double kAhead = 1.6;   ///< range over what the yarns keep apart by now
 constexpr double kGrowth = 1.05; ///< in a sweep
 constexpr double kSmoothing = 0.15;
 constexpr double kRelaxation = 1.2;
@@ -18,7 +19,7 @@ constexpr double kRelaxation = 1.2;
 
 YarnGrowth::YarnGrowth(const YarnChains& chains, std::vector<Entry> fixed, double thickness)
     : m_chains(chains.chains), m_own(chains), m_fixed(std::move(fixed)), m_thickness(thickness),
-      m_skin(chains.nodeCount(), -1, kSkin * thickestYarn(chains.yarns)) {
+      m_skin(chains.nodeCount(), -1, 0) {
     for (const Chain& chain : chains.chains) {
         const RodYarn& yarn = chains.yarns[static_cast<std::size_t>(chain.yarn)];
         const double wanted = yarn.coreDiameter + kShell * (yarn.outerDiameter - yarn.coreDiameter);
@@ -28,7 +29,15 @@ YarnGrowth::YarnGrowth(const YarnChains& chains, std::vector<Entry> fixed, doubl
             m_segments.push_back({node, yarn.coreDiameter, wanted, rest,
                                   OwnStretch::kExclusion * 0.5 * yarn.outerDiameter + rest});
         }
-        m_range = std::max(m_range, wanted);
+        m_thickest = std::max(m_thickest, wanted);
+    }
+}
+
+/// Thin yarns need to know little of what lies around them.
+void YarnGrowth::widen() {
+    if (m_range < std::min(m_thickest, m_thickness * m_thickest)) {
+        m_range = std::min(m_thickest, kAhead * m_thickness * m_thickest);
+        m_skin = Skin(m_skin.nodeCount(), -1, kSkin * m_range);
     }
 }
 
@@ -104,6 +113,11 @@ void YarnGrowth::pushApart(const Vector& x) {
         const Eigen::Vector3d a1 = at(x, a.node + 1);
         const Eigen::Vector3d b0 = at(x, b.node);
         const Eigen::Vector3d b1 = at(x, b.node + 1);
+        // Balls around the segments: most pairs are not that near.
+        const double balls = m_range + 0.5 * ((a1 - a0).norm() + (b1 - b0).norm());
+        if ((b0 + b1 - a0 - a1).squaredNorm() >= 4 * balls * balls) {
+            continue;
+        }
         const ClosestPoints closest = closestPoints(a0, a1, b0, b1);
         for (const Entry e : {a.node, a.node + 1, b.node, b.node + 1}) {
             double& clearance = m_clearance[static_cast<std::size_t>(e)];
@@ -130,6 +144,7 @@ void YarnGrowth::pushApart(const Vector& x) {
 }
 
 double YarnGrowth::sweep(Vector& x) {
+    widen();
     findPairs(x);
     const auto nodes = static_cast<std::size_t>(x.size() / 3);
     m_move.setZero(x.size());

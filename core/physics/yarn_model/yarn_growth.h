@@ -48,6 +48,7 @@ private:
         bool oneStrand = false;
     };
 
+    void widen();
     void findPairs(const Vector& x);
     void addPairs(const std::vector<NearPair>& near);
     void pullLengths(const Vector& x);
@@ -62,7 +63,8 @@ private:
     OwnStretch m_own;
     std::vector<Segment> m_segments;
     std::vector<Entry> m_fixed;
-    double m_range = 0; ///< farther strands need not be known
+    double m_thickest = 0; ///< largest wanted diameter
+    double m_range = 0;    ///< farther strands need not be known by now
     double m_thickness;
     double m_room = 0;
     Skin m_skin;
