@@ -41,7 +41,8 @@ int runConvert(const ConvertOptions& options) {
 
 void addConvert(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<ConvertOptions>();
-    CLI::App* command = app.add_subcommand("convert", "Write a program in another machine format, by extension");
+    CLI::App* command =
+        app.add_subcommand("convert", "Write a program in another machine format, by extension");
     command->add_option("input", options->input, "machine file to read")->required();
     command->add_option("output", options->output, "file to write: .k, .knitout, .dat or .kc")->required();
     command->callback([&chosen, options] { chosen = [options] { return runConvert(*options); }; });

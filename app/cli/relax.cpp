@@ -1,8 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/load.h"
+#include "app/cli/relax_fabric.h"
 #include "app/cli/relax_periodic.h"
-#include "core/base/file.h"
-#include "core/base/message_table.h"
 #include "core/geometry/measure.h"
 #include "core/simulation/simulation.h"
 
@@ -30,6 +29,7 @@ struct RelaxOptions {
     bool periodic = false;
     std::optional<double> friction;
     double set = 0;
+    bool free = false;
 };
 
 /// "W0:W1,C0:C1". Returns what is wrong, or an empty string.
@@ -123,24 +123,9 @@ void printText(const nlohmann::ordered_json& r) {
     }
 }
 
-bool writeState(const std::string& path, const Loaded& loaded, const simulation::Frame& frame) {
-    const nlohmann::ordered_json state{{"format", "knittsim-state"},
-                                       {"version", 1},
-                                       {"file", loaded.timeline->program().file},
-                                       {"unit", "mm"},
-                                       {"table_entries", loaded.fabric->entryCount},
-                                       {"positions", frame.positions}};
-    const auto written = writeFileAtomically(path, state.dump() + "\n");
-    for (const Diagnostic& diagnostic : written.diagnostics()) {
-        fmt::print(stderr, "{}\n", toLine(diagnostic));
-    }
-    return written.hasValue();
-}
-
 int runRelax(const RelaxOptions& options) {
-    if (options.periodic != (options.model == "yarn")) {
-        // Whole fabrics settle in the bonding-point model, repeats in the yarn model.
-        fmt::print(stderr, "--model yarn and --periodic go together\n");
+    if (options.model != "yarn" && (options.periodic || options.free)) {
+        fmt::print(stderr, "--periodic and --free need --model yarn\n");
         return kUnusable;
     }
     if (options.periodic && !(options.region.empty() && options.state.empty())) {
@@ -151,9 +136,9 @@ int runRelax(const RelaxOptions& options) {
         fmt::print(stderr, "--friction and --set are for --periodic\n");
         return kUnusable;
     }
-    geometry::Region region;
+    std::optional<geometry::Region> region;
     if (!options.region.empty()) {
-        if (const std::string problem = parseRegion(options.region, region); !problem.empty()) {
+        if (const std::string problem = parseRegion(options.region, region.emplace()); !problem.empty()) {
             fmt::print(stderr, "--region '{}': {}\n", options.region, problem);
             return kUnusable;
         }
@@ -167,6 +152,10 @@ int runRelax(const RelaxOptions& options) {
             *loaded, {options.integrator, options.until, options.maxSeconds, options.friction, options.set},
             options.json);
     }
+    if (options.model == "yarn") {
+        return relaxFabric(*loaded, {options.integrator, options.state, options.until, options.maxSeconds,
+                                     region, options.free, options.json});
+    }
     simulation::Simulation simulation;
     if (!options.integrator.empty()) {
         simulation.apply(simulation::command::SetIntegrator{options.integrator});
@@ -179,14 +168,15 @@ int runRelax(const RelaxOptions& options) {
     simulation.runToEnd(options.maxSeconds);
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
     const simulation::Frame frame = simulation.frame();
-    const geometry::Measurement size = geometry::measure(*loaded->fabric, frame.positions, region);
+    const geometry::Measurement size =
+        geometry::measure(*loaded->fabric, frame.positions, region.value_or(geometry::Region()));
     const nlohmann::ordered_json result = report(*loaded, frame, size, wall.count(), options.model);
     if (options.json) {
         fmt::print("{}\n", result.dump(2));
     } else {
         printText(result);
     }
-    if (!options.state.empty() && !writeState(options.state, *loaded, frame)) {
+    if (!options.state.empty() && !writeState(options.state, *loaded, frame.positions)) {
         return kUnusable;
     }
     return result["converged"].get<bool>() ? kFine : kProblems;
@@ -220,6 +210,8 @@ void addRelax(CLI::App& app, Command& chosen) {
     command->add_option("--region", options->region, "W0:W1,C0:C1: wales and courses to measure, from 0");
     command->add_flag("--periodic", options->periodic, "settle one repeat of the pattern (--model yarn)");
     addYarnPhysics(*command, options->friction, options->set);
+    command->add_flag("--free", options->free,
+                      "let the fabric curl instead of lying on a table (--model yarn)");
     command->add_flag("--json", options->json, "print JSON");
     command->add_option("-o", options->state, "write the settled shape (JSON)");
     command->callback([&chosen, options] { chosen = [options] { return runRelax(*options); }; });

@@ -1,6 +1,7 @@
 #include "app/cli/relax_periodic.h"
 
 #include "app/cli/commands.h"
+#include "app/cli/verdict_text.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -10,39 +11,19 @@ namespace knittsim::cli {
 namespace {
 
 using physics::CellShape;
-using physics::StopRule;
-
-const char* reasonText(StopRule::Verdict verdict) {
-    using enum StopRule::Verdict;
-    switch (verdict) {
-    case ResidualReached:
-        return "residual reached";
-    case Stagnation:
-        return "shape and energy no longer change";
-    case StepLimit:
-        return "step limit";
-    case Diverged:
-        return "diverged";
-    case SolverFailed:
-        return "solver failed";
-    case GoOn:
-        break;
-    }
-    return "time limit";
-}
 
 nlohmann::ordered_json report(const Loaded& loaded, const PeriodicCell& settled,
                               const std::string& integrator, double wallSeconds) {
     const auto& [found, units, rod, cell] = settled;
     const physics::KnitPurl& pattern = found.repeat.pattern;
-    const StopRule::Verdict verdict = cell.relax.verdict;
+    const physics::StopRule::Verdict verdict = cell.relax.verdict;
     const double mm = units.lengthMm;
     return {{"file", loaded.timeline->program().file},
             {"model", "yarn"},
             {"periodic", true},
             {"integrator", integrator},
-            {"converged", physics::isAtRest(verdict)},
-            {"reason", reasonText(verdict)},
+            {"converged", isAtRest(verdict)},
+            {"reason", verdictText(verdict)},
             {"residual", cell.relax.residual},
             {"steps", cell.relax.steps},
             {"evaluations", cell.relax.evaluations},

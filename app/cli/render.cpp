@@ -2,13 +2,17 @@
 #include "app/cli/load.h"
 #include "core/base/message_table.h"
 #include "core/simulation/simulation.h"
+#include "core/simulation/yarn_settling.h"
 #include "ui/render/offscreen.h"
 
 #include <fmt/core.h>
 
+#include <chrono>
 #include <cstdio>
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace knittsim::cli {
@@ -45,6 +49,27 @@ std::vector<float> settledPositions(const Loaded& loaded, double maxSeconds) {
     return simulation.frame().positions;
 }
 
+/// Curves of the yarn model at rest on a table, whose normal is that of the table.
+std::optional<geometry::YarnCurves> settledCurves(const Loaded& loaded, double maxSeconds) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::function<bool()> late = [&] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > maxSeconds;
+    };
+    simulation::YarnSettling settling(*loaded.fabric, loaded.yarns, {});
+    if (*settling.problem() != '\0') {
+        fmt::print(stderr, "--relax yarn: {}\n", settling.problem());
+        return std::nullopt;
+    }
+    while (settling.step(physics::Interrupt(&late))) {
+    }
+    geometry::YarnCurves curves = settling.curves();
+    for (const Vec3f& node : curves.nodes) {
+        curves.normal.emplace_back(0, 0, 1);
+        curves.height.push_back(node.z());
+    }
+    return curves;
+}
+
 void print(const Diagnostics& diagnostics) {
     for (const Diagnostic& diagnostic : diagnostics) {
         fmt::print(stderr, "{}\n", toLine(diagnostic));
@@ -57,12 +82,25 @@ int runRender(const RenderOptions& options) {
         fmt::print(stderr, "--size '{}': expected WxH, each from 1 to {}\n", options.size, kMaxPixels);
         return kUnusable;
     }
+    if (options.relax == "yarn" && options.style == render::DrawStyle::Mesh) {
+        fmt::print(stderr, "--style mesh shows bonding points; --relax yarn settles yarn curves\n");
+        return kUnusable;
+    }
     const auto loaded = load(options.load);
     if (!loaded) {
         return kUnusable;
     }
-    const std::vector<float> positions =
-        options.relax == "none" ? std::vector<float>() : settledPositions(*loaded, options.maxSeconds);
+    std::optional<geometry::YarnCurves> curves;
+    std::vector<float> positions;
+    if (options.relax == "yarn") {
+        curves = settledCurves(*loaded, options.maxSeconds);
+        if (!curves) {
+            return kUnusable;
+        }
+        request.curves = &*curves;
+    } else if (options.relax == "bonding-points") {
+        positions = settledPositions(*loaded, options.maxSeconds);
+    }
     request.fabric = loaded->fabric.get();
     request.positions = positions;
     for (const yarn::Yarn& yarn : loaded->yarns) {
@@ -102,7 +140,7 @@ void addRender(CLI::App& app, Command& chosen) {
     command->add_option("--side", options->side, "front or back")->transform(CLI::CheckedTransformer(kSides));
     command->add_option("--size", options->size, "WxH in pixels")->capture_default_str();
     command->add_option("--relax", options->relax, "settle before drawing")
-        ->check(CLI::IsMember({"none", "bonding-points"}))
+        ->check(CLI::IsMember({"none", "bonding-points", "yarn"}))
         ->capture_default_str();
     command->add_option("--max-seconds", options->maxSeconds, "time limit of settling")
         ->check(CLI::Range(0.0, 1e6))

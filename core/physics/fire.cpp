@@ -71,18 +71,16 @@ StepReport Fire::tryStep(Motion& motion, const Interrupt& interrupt) {
     m_descent *= -1;
     const double power = -m_gradient.dot(m_velocity);
     if (power < 0) {
-        const Vector back = -0.5 * m_timeStep * m_velocity;
-        x += m_model->allowedStep(x, back, kDistortion) * back;
+        Vector back = -0.5 * m_timeStep * m_velocity;
+        m_model->shorten(x, back, kDistortion);
+        x += back;
     }
     steer(power);
     m_velocity += m_timeStep * m_descent;
     Vector move = m_timeStep * m_velocity;
     m_model->mask(move);
-    const double share = m_model->allowedStep(x, move, kDistortion);
-    if (share < 1) {
-        move *= share;
-        m_velocity *= share;
-    }
+    m_model->shorten(x, move, kDistortion);
+    m_velocity = move / m_timeStep;
     x += move;
     m_energy = m_model->evaluate(x, &m_gradient);
     ++report.evaluations;

@@ -1,6 +1,7 @@
 #include "core/physics/integrator.h"
 
 #include "core/physics/fire.h"
+#include "core/physics/implicit_steps.h"
 #include "core/physics/kinsol_newton.h"
 #include "core/physics/lbfgs.h"
 #include "core/physics/multistep.h"
@@ -20,6 +21,9 @@ template<class Kind> std::unique_ptr<Integrator> make() {
 constexpr std::array kKinds{
     IntegratorKind{"newton-cg", "Newton with conjugate gradients",
                    "Finds the rest shape in few large steps; the quickest way.", make<NewtonCg>},
+    IntegratorKind{"implicit", "Implicit steps",
+                   "Damped steps that grow as rest comes nearer; sure from any start.",
+                   make<ImplicitSteps>},
     IntegratorKind{"fire", "FIRE", "Lets the fabric slide to rest like a damped body; smooth to watch.",
                    make<Fire>},
     IntegratorKind{"l-bfgs", "L-BFGS", "Descends with a memory of its last steps; needs forces only.",

@@ -25,15 +25,22 @@ bool LineSearch::accepts(double length, double slope) const {
 }
 
 bool LineSearch::run(const Vector& move, double longest, const Interrupt& interrupt) {
-    const double slope = m_gradient.dot(move);
-    const double allowed = m_model.allowedStep(m_x, move, kLargestDistortion);
-    if (!(slope < 0) || !(allowed > 0)) {
+    // What is shortened here and there may no longer go downhill.
+    Vector allowed = longest * move;
+    m_model.shorten(m_x, allowed, kLargestDistortion);
+    double slope = m_gradient.dot(allowed);
+    if (!(slope < 0)) {
+        allowed = longest * move;
+        allowed *= m_model.allowedStep(m_x, allowed, kLargestDistortion);
+        slope = m_gradient.dot(allowed);
+    }
+    if (!(slope < 0)) {
         return false;
     }
-    double length = std::min(longest, allowed);
+    double length = 1;
     for (int trial = 0; trial < kMostTrials; ++trial, length *= 0.5) {
         interrupt.check();
-        m_trial = m_x + length * move;
+        m_trial = m_x + length * allowed;
         m_trialEnergy = m_model.evaluate(m_trial, &m_trialGradient);
         ++m_evaluations;
         if (accepts(length, slope)) {

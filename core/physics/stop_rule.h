@@ -43,4 +43,9 @@ private:
     Vector m_windowPositions;
 };
 
+/// Residual reached or stagnation.
+constexpr bool isAtRest(StopRule::Verdict verdict) {
+    return verdict == StopRule::Verdict::ResidualReached || verdict == StopRule::Verdict::Stagnation;
+}
+
 } // namespace knittsim::physics

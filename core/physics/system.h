@@ -46,6 +46,11 @@ public:
     /// step, as share of the length of a piece of yarn.
     virtual double allowedStep(const Vector& x, const Vector& move, double distortion) const = 0;
 
+    /// Shortens the move until it may be made; where only some places are in the way, perhaps only there.
+    virtual void shorten(const Vector& x, Vector& move, double distortion) const {
+        move *= allowedStep(x, move, distortion);
+    }
+
     /// The metric in which first-order methods descend, and the best approximate inverse of H for conjugate
     /// gradients. Both must not outlive the system.
     virtual std::unique_ptr<Metric> makeMetric() const = 0;

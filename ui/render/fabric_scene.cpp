@@ -161,29 +161,44 @@ void FabricScene::layOut(SceneTopology& topology, std::span<const geometry::Yarn
 std::shared_ptr<const SceneFrame> FabricScene::prepare(std::span<const float> positions) {
     const std::span<const float> places =
         positions.empty() ? std::span<const float>(m_machinePositions) : positions;
-    auto frame = std::make_shared<SceneFrame>();
-    frame->topology = m_topology;
-    frame->style = m_style;
-    frame->diameters.assign(m_diameters.begin(), m_diameters.end());
+    const std::shared_ptr<SceneFrame> frame = emptyFrame();
     if (m_style == DrawStyle::Mesh) {
         fillMesh(*frame, places);
     } else {
         m_builder->update(places);
-        fillCurves(*frame);
+        fillCurves(*frame, m_builder->curves());
     }
     return frame;
 }
 
-void FabricScene::fillCurves(SceneFrame& frame) const {
-    const geometry::YarnCurves& curves = m_builder->curves();
-    frame.nodes.resize(m_topology->owner.size(), kNoNode);
-    frame.surface.resize(m_topology->owner.size());
+std::shared_ptr<const SceneFrame> FabricScene::prepare(const geometry::YarnCurves& curves) {
+    auto topology = std::make_shared<SceneTopology>(*m_topology);
+    topology->owner.clear();
+    topology->yarns.clear();
+    layOut(*topology, curves.yarns, curves.point);
+    const std::shared_ptr<SceneFrame> frame = emptyFrame();
+    frame->topology = std::move(topology);
+    fillCurves(*frame, curves);
+    return frame;
+}
+
+std::shared_ptr<SceneFrame> FabricScene::emptyFrame() const {
+    auto frame = std::make_shared<SceneFrame>();
+    frame->topology = m_topology;
+    frame->style = m_style;
+    frame->diameters.assign(m_diameters.begin(), m_diameters.end());
+    return frame;
+}
+
+void FabricScene::fillCurves(SceneFrame& frame, const geometry::YarnCurves& curves) const {
+    frame.nodes.resize(frame.topology->owner.size(), kNoNode);
+    frame.surface.resize(frame.topology->owner.size());
     for (std::size_t y = 0; y < curves.yarns.size(); ++y) {
         const geometry::YarnCurves::Range& yarn = curves.yarns[y];
         const float perDiameter = 1 / std::max(1e-3F, frame.diameters[yarn.carrier]);
         const auto first = static_cast<std::size_t>(yarn.first);
         const std::size_t last = first + static_cast<std::size_t>(yarn.count) - 1;
-        auto to = static_cast<std::size_t>(m_topology->yarns[y].first);
+        auto to = static_cast<std::size_t>(frame.topology->yarns[y].first);
         Vec3f reference = curves.normal[first];
         for (std::size_t n = first; n <= last; ++n, ++to) {
             const Vec3f& p = curves.nodes[n];
@@ -203,7 +218,7 @@ void FabricScene::addChunks(SceneFrame& frame) const {
     const auto placeOf = [&](std::int32_t n) {
         return Vec3f::Map(frame.nodes[static_cast<std::size_t>(n)].data());
     };
-    for (const geometry::YarnCurves::Range& yarn : m_topology->yarns) {
+    for (const geometry::YarnCurves::Range& yarn : frame.topology->yarns) {
         const std::int32_t last = yarn.first + yarn.count - 1;
         arc += static_cast<double>(frame.nodes[static_cast<std::size_t>(last)][3]);
         for (std::int32_t first = yarn.first; first < last; first += kChunkNodes) {

@@ -73,6 +73,9 @@ public:
     /// `positions`: 3 per entry, mm; empty: where the machine leaves them.
     std::shared_ptr<const SceneFrame> prepare(std::span<const float> positions);
 
+    /// Curves that somebody else has made of this fabric, with normal and height; not for Mesh.
+    std::shared_ptr<const SceneFrame> prepare(const geometry::YarnCurves& curves);
+
     /// Looks once more at who lies in front at every crossing and mends what is wrong; to be called between
     /// frames, while there is time. Returns whether the next frame will differ. Does nothing for Mesh, for
     /// fabrics above kMostOrdered loops and once all is right.
@@ -84,7 +87,8 @@ public:
 private:
     static void layOut(SceneTopology& topology, std::span<const geometry::YarnCurves::Range> yarns,
                        std::span<const fabric::PointIndex> pointOfNode);
-    void fillCurves(SceneFrame& frame) const;
+    std::shared_ptr<SceneFrame> emptyFrame() const;
+    void fillCurves(SceneFrame& frame, const geometry::YarnCurves& curves) const;
     void addChunks(SceneFrame& frame) const;
     void fillMesh(SceneFrame& frame, std::span<const float> positions) const;
     void addMarkers(SceneFrame& frame, std::span<const float> positions) const;

@@ -44,9 +44,10 @@ Result<Image> renderFabric(const RenderRequest& request) {
     // The scene lives shorter than the request: it need not own the fabric.
     const std::shared_ptr<const fabric::Fabric> fabric(std::shared_ptr<void>(), request.fabric);
     FabricScene scene(fabric, request.looks, request.style);
-    while (scene.improve()) {
+    while (request.curves == nullptr && scene.improve()) {
     }
-    const auto frame = scene.prepare(request.positions);
+    const auto frame =
+        request.curves != nullptr ? scene.prepare(*request.curves) : scene.prepare(request.positions);
     if (!renderer.value()->upload(frame)) {
         return Diagnostic{.id = "KS0404",
                           .place = {},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/fabric/fabric.h"
+#include "core/geometry/yarn_curve.h"
 #include "ui/render/camera.h"
 #include "ui/render/image.h"
 #include "ui/render/look.h"
@@ -15,6 +16,8 @@ namespace knittsim::render {
 struct RenderRequest {
     const fabric::Fabric* fabric = nullptr;
     std::span<const float> positions; ///< 3 per entry, mm; empty: where the machine leaves them
+    /// Curves with normal and height instead of positions; not for Mesh.
+    const geometry::YarnCurves* curves = nullptr;
     std::vector<YarnLook> looks;      ///< by carrier; missing ones get a default look
     DrawStyle style = DrawStyle::Yarn;
     ViewSide side = ViewSide::Front;

@@ -63,7 +63,47 @@ Vector BandedCholesky::folded(const Eigen::Ref<const Vector>& v) const {
     return result;
 }
 
+/// The rows of an open chain, all of one width: sums in the order in which their parts come to be known.
+void BandedCholesky::solveOpen(double* y) const {
+    constexpr Eigen::Index kWidth = 8;
+    const Eigen::Index n = Eigen::Index{3} * m_nodeCount;
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const double* row = &m_band[static_cast<std::size_t>(i * (kWidth + 1))];
+        if (i < kWidth) {
+            double sum = y[i];
+            for (Eigen::Index k = 0; k < i; ++k) {
+                sum -= row[k - i + kWidth] * y[k];
+            }
+            y[i] = sum * row[kWidth];
+            continue;
+        }
+        const double* z = y + i - kWidth;
+        const double old = row[0] * z[0] + row[1] * z[1] + (row[2] * z[2] + row[3] * z[3]);
+        const double middle = row[4] * z[4] + row[5] * z[5];
+        y[i] = (((y[i] - old) - middle) - row[6] * z[6] - row[7] * z[7]) * row[kWidth];
+    }
+    for (Eigen::Index i = n - 1; i >= 0; --i) {
+        const double* row = &m_band[static_cast<std::size_t>(i * (kWidth + 1))];
+        const double value = y[i] * row[kWidth];
+        y[i] = value;
+        if (i >= kWidth) {
+            double* z = y + i - kWidth;
+            for (Eigen::Index k = 0; k < kWidth; ++k) {
+                z[k] -= row[k] * value;
+            }
+        } else {
+            for (Eigen::Index k = 0; k < i; ++k) {
+                y[k] -= row[k - i + kWidth] * value;
+            }
+        }
+    }
+}
+
 void BandedCholesky::solve(Eigen::Ref<Vector> x) const {
+    if (!m_closed) {
+        solveOpen(x.data());
+        return;
+    }
     const Eigen::Index n = Eigen::Index{3} * m_nodeCount;
     Vector y = folded(x);
     for (Eigen::Index i = 0; i < n; ++i) {

@@ -40,17 +40,8 @@ bool ContactTerm::sameStretch(const NearPair& pair) const {
     return m_own.along(pair.a, pair.b) < OwnStretch::kExclusion * 0.5 * yarn.outerDiameter;
 }
 
-void ContactTerm::findCandidates(const Vector& x) const {
-    m_candidates.clear();
-    ++m_rebuilds;
-    const double range = m_thickness * thickestYarn(m_yarns);
-    m_skin.renew(x, range);
-    const std::optional<Eigen::Vector2d> cell = cellAt(x, m_cell);
-    if (!x.allFinite() || (cell && !(cell->minCoeff() > 0))) {
-        return;
-    }
-    const Eigen::Matrix3Xd points = Eigen::Map<const Eigen::Matrix3Xd>(x.data(), 3, m_nodeCount);
-    for (const NearPair& pair : findNearPairs(points, cell, range + m_skin.thickness())) {
+void ContactTerm::addCandidates(const std::vector<NearPair>& pairs) const {
+    for (const NearPair& pair : pairs) {
         if (sameStretch(pair)) {
             continue;
         }
@@ -62,8 +53,28 @@ void ContactTerm::findCandidates(const Vector& x) const {
 }
 
 void ContactTerm::prepare(const Vector& x) const {
-    if (m_skin.outOfDate(x)) {
-        findCandidates(x);
+    const double range = m_thickness * thickestYarn(m_yarns);
+    const Skin::Age age = m_skin.renew(x, range);
+    if (age == Skin::Age::Fresh) {
+        return;
+    }
+    ++m_rebuilds;
+    const Eigen::Matrix3Xd points =
+        Eigen::Map<const Eigen::Matrix3Xd>(m_skin.reference().data(), 3, m_nodeCount);
+    if (age == Skin::Age::Partly) {
+        std::vector<char> moved(static_cast<std::size_t>(m_nodeCount));
+        for (Entry e = 0; e < m_nodeCount; ++e) {
+            moved[static_cast<std::size_t>(e)] = m_skin.moved(e) ? 1 : 0;
+        }
+        std::erase_if(m_candidates,
+                      [&](const Candidate& c) { return m_skin.moved(c.a) || m_skin.moved(c.b.node); });
+        addCandidates(findNearPairsOf(points, moved, range + m_skin.thickness()));
+        return;
+    }
+    m_candidates.clear();
+    const std::optional<Eigen::Vector2d> cell = cellAt(x, m_cell);
+    if (x.allFinite() && (!cell || cell->minCoeff() > 0)) {
+        addCandidates(findNearPairs(points, cell, range + m_skin.thickness()));
     }
 }
 

@@ -17,7 +17,7 @@ namespace knittsim::physics {
 /// StrandGuard.
 ///
 /// Pairs of one yarn less than 2.1 outer radii apart along the yarn do not count. Candidates come from a grid
-/// with a skin, found anew when something has moved by half the skin. Hessian without its negative part
+/// with a skin, found anew for what has moved by half the skin. Hessian without its negative part
 /// across the line between the nodes (Gauss-Newton).
 class ContactTerm final : public EnergyTerm {
 public:
@@ -49,7 +49,7 @@ private:
     };
 
     void prepare(const Vector& x) const;
-    void findCandidates(const Vector& x) const;
+    void addCandidates(const std::vector<NearPair>& pairs) const;
     bool sameStretch(const NearPair& pair) const;
     std::uint32_t kernelOf(int yarnA, int yarnB) const;
 

@@ -42,44 +42,63 @@ void HardCoreTerm::setThickness(double share) {
     m_skin.forget();
 }
 
-void HardCoreTerm::findCandidates(const Vector& x) const {
-    m_candidates.clear();
-    m_skin.renew(x, m_reach);
-    const std::optional<Eigen::Vector2d> cell = cellAt(x, m_cell);
-    if (!x.allFinite() || (cell && !(cell->minCoeff() > 0))) {
+void HardCoreTerm::prepare(const Vector& x) const {
+    const Skin::Age age = m_skin.renew(x, m_reach);
+    if (age == Skin::Age::Fresh) {
         return;
     }
+    const Vector& places = m_skin.reference();
     Eigen::Matrix3Xd middles(3, static_cast<Eigen::Index>(m_segments.size()));
+    std::vector<char> moved(m_segments.size(), 0);
     double longest = 0;
     for (std::size_t i = 0; i < m_segments.size(); ++i) {
-        const Eigen::Vector3d begin = position(x, m_cell, m_segments[i].begin);
-        const Eigen::Vector3d end = position(x, m_cell, m_segments[i].end);
+        const Segment& s = m_segments[i];
+        const Eigen::Vector3d begin = position(places, m_cell, s.begin);
+        const Eigen::Vector3d end = position(places, m_cell, s.end);
         middles.col(static_cast<Eigen::Index>(i)) = 0.5 * (begin + end);
         longest = std::max(longest, (end - begin).norm());
+        moved[i] =
+            age == Skin::Age::Partly && (m_skin.moved(s.begin.node) || m_skin.moved(s.end.node)) ? 1 : 0;
     }
-    for (const NearPair& pair : findNearPairs(middles, cell, m_reach + m_skin.thickness() + longest)) {
-        addCandidate(x, pair);
+    const double range = m_reach + m_skin.thickness() + longest;
+    if (age == Skin::Age::Partly) {
+        std::erase_if(m_candidates, [&](const Candidate& c) {
+            return std::ranges::any_of(c.places, [&](const Place& p) { return m_skin.moved(p.node); });
+        });
+        for (const NearPair& pair : findNearPairsOf(middles, moved, range)) {
+            addCandidate(pair);
+        }
+        return;
+    }
+    m_candidates.clear();
+    const std::optional<Eigen::Vector2d> cell = cellAt(x, m_cell);
+    if (x.allFinite() && (!cell || cell->minCoeff() > 0)) {
+        for (const NearPair& pair : findNearPairs(middles, cell, range)) {
+            addCandidate(pair);
+        }
     }
 }
 
-void HardCoreTerm::addCandidate(const Vector& x, const NearPair& pair) const {
+void HardCoreTerm::addCandidate(const NearPair& pair) const {
     const Segment& a = m_segments[static_cast<std::size_t>(pair.a)];
     const Segment& b = m_segments[static_cast<std::size_t>(pair.b.node)];
     const Place begin = b.begin.shifted(pair.b.across, pair.b.up);
     const Place end = b.end.shifted(pair.b.across, pair.b.up);
+    if (m_own.along(a.begin.node, begin) < a.exclusion) {
+        return;
+    }
+    const Vector& x = m_skin.reference();
     const double distance = closestPoints(position(x, m_cell, a.begin), position(x, m_cell, a.end),
                                           position(x, m_cell, begin), position(x, m_cell, end))
                                 .distance;
-    if (distance < m_reach + m_skin.thickness() && m_own.along(a.begin.node, begin) >= a.exclusion) {
+    if (distance < m_reach + m_skin.thickness()) {
         m_candidates.push_back(
             {{a.begin, a.end, begin, end}, a.yarn * m_yarns.size() + b.yarn, 2 * a.rest * b.rest});
     }
 }
 
 template<class Visit> void HardCoreTerm::forTouches(const Vector& x, Visit visit) const {
-    if (m_skin.outOfDate(x)) {
-        findCandidates(x);
-    }
+    prepare(x);
     for (const Candidate& c : m_candidates) {
         const Eigen::Vector3d a0 = position(x, m_cell, c.places[0]);
         const Eigen::Vector3d a1 = position(x, m_cell, c.places[1]);

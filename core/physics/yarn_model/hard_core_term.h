@@ -53,8 +53,8 @@ private:
     };
 
     template<class Visit> void forTouches(const Vector& x, Visit visit) const;
-    void findCandidates(const Vector& x) const;
-    void addCandidate(const Vector& x, const NearPair& pair) const;
+    void prepare(const Vector& x) const;
+    void addCandidate(const NearPair& pair) const;
 
     OwnStretch m_own;
     std::vector<RodYarn> m_yarns;

@@ -14,10 +14,6 @@ constexpr double kViscous = 0.02; ///< share of the friction that may be viscous
 
 } // namespace
 
-bool isAtRest(StopRule::Verdict verdict) {
-    return verdict == StopRule::Verdict::ResidualReached || verdict == StopRule::Verdict::Stagnation;
-}
-
 YarnRelaxReport makeLoadStep(YarnModel& model, FrictionTerm* friction, Motion& motion,
                              const LoadStepOptions& options) {
     if (friction == nullptr) {

@@ -5,9 +5,6 @@
 
 namespace knittsim::physics {
 
-/// Residual reached or stagnation.
-bool isAtRest(StopRule::Verdict verdict);
-
 struct LoadStepOptions {
     YarnRelaxOptions relax;
     double mostSlip = 0.2;   ///< d: how far contacts may slip before friction looks where they are now

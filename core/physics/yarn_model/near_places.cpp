@@ -1,6 +1,6 @@
 #include "core/physics/yarn_model/near_places.h"
 
-#include <bit>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -13,33 +13,38 @@ bool isForward(int across, int up) {
     return up > 0 || (up == 0 && across > 0);
 }
 
+/// Boxes at least as wide as the range, row after row along x, so that three neighbouring boxes of a row are
+/// one stretch of the members.
 class Grid {
 public:
     Grid(const Eigen::Matrix3Xd& points, const std::optional<Eigen::Vector2d>& cell, double range)
         : m_range(range) {
         m_low = points.rowwise().minCoeff();
         m_high = points.rowwise().maxCoeff();
+        m_members.reserve(static_cast<std::size_t>(points.cols()));
         for (Eigen::Index i = 0; i < points.cols(); ++i) {
-            m_members.push_back({points.col(i), {static_cast<Entry>(i), 0, 0}, 0});
+            m_members.push_back({points.col(i), {static_cast<Entry>(i), 0, 0}});
         }
         if (cell) {
             addImages(points, *cell);
         }
+        cutBoxes();
         sort();
     }
 
     template<class Visit> void forNear(const Eigen::Vector3d& point, Visit visit) const {
-        const std::uint64_t centre = boxOf(point);
-        for (int dz = -1; dz <= 1; ++dz) {
-            for (int dy = -1; dy <= 1; ++dy) {
-                for (int dx = -1; dx <= 1; ++dx) {
-                    const std::uint64_t box = beside(centre, dx, dy, dz);
-                    const std::size_t bucket = bucketOf(box);
-                    for (std::size_t i = m_begin[bucket]; i < m_begin[bucket + 1]; ++i) {
-                        const Member& m = m_members[i];
-                        if (m.box == box && (m.point - point).squaredNorm() < m_range * m_range) {
-                            visit(m.place);
-                        }
+        const Eigen::Array3<std::int64_t> centre = boxOf(point);
+        const std::int64_t left = std::max<std::int64_t>(0, centre.x() - 1);
+        const std::int64_t right = std::min(m_count.x() - 1, centre.x() + 1);
+        for (std::int64_t z = std::max<std::int64_t>(0, centre.z() - 1);
+             z <= std::min(m_count.z() - 1, centre.z() + 1); ++z) {
+            for (std::int64_t y = std::max<std::int64_t>(0, centre.y() - 1);
+                 y <= std::min(m_count.y() - 1, centre.y() + 1); ++y) {
+                const std::size_t end = m_begin[index({right, y, z}) + 1];
+                for (std::size_t i = m_begin[index({left, y, z})]; i < end; ++i) {
+                    const Member& m = m_members[i];
+                    if ((m.point - point).squaredNorm() < m_range * m_range) {
+                        visit(m.place);
                     }
                 }
             }
@@ -50,7 +55,6 @@ private:
     struct Member {
         Eigen::Vector3d point;
         Place place;
-        std::uint64_t box = 0;
     };
 
     void addImages(const Eigen::Matrix3Xd& points, const Eigen::Vector2d& cell) {
@@ -67,44 +71,42 @@ private:
                     const Eigen::Vector3d image = points.col(i) + shift;
                     if ((image.array() >= m_low.array() - m_range).all() &&
                         (image.array() <= m_high.array() + m_range).all()) {
-                        m_members.push_back({image, {static_cast<Entry>(i), across, up}, 0});
+                        m_members.push_back({image, {static_cast<Entry>(i), across, up}});
                     }
                 }
             }
         }
+        m_low.array() -= m_range;
+        m_high.array() += m_range;
     }
 
-    /// A box's three numbers in one, 21 bits each.
-    static std::uint64_t packed(std::int64_t x, std::int64_t y, std::int64_t z) {
-        constexpr std::int64_t kMiddle = 1 << 20;
-        constexpr std::uint64_t kMask = (1U << 21U) - 1;
-        const auto bits = [](std::int64_t i) { return static_cast<std::uint64_t>(i + kMiddle) & kMask; };
-        return bits(x) | bits(y) << 21U | bits(z) << 42U;
+    /// No more boxes than a few for each member, however far apart those lie.
+    void cutBoxes() {
+        constexpr double kBoxesPerMember = 8;
+        const Eigen::Array3d extent = (m_high - m_low).array();
+        const double most = kBoxesPerMember * static_cast<double>(m_members.size()) + 64;
+        m_width = m_range;
+        while ((extent / m_width + 1).prod() > most) {
+            m_width *= 1.5;
+        }
+        m_count = (extent / m_width).floor().cast<std::int64_t>() + 1;
     }
 
-    static std::uint64_t beside(std::uint64_t box, int dx, int dy, int dz) {
-        return box +
-               static_cast<std::uint64_t>(dx + dy * (std::int64_t{1} << 21) + dz * (std::int64_t{1} << 42));
+    std::size_t index(const Eigen::Array3<std::int64_t>& box) const {
+        return static_cast<std::size_t>((box.z() * m_count.y() + box.y()) * m_count.x() + box.x());
     }
 
-    std::uint64_t boxOf(const Eigen::Vector3d& point) const {
-        const Eigen::Array3d box = ((point - m_low) / m_range).array().floor();
-        return packed(static_cast<std::int64_t>(box.x()), static_cast<std::int64_t>(box.y()),
-                      static_cast<std::int64_t>(box.z()));
+    Eigen::Array3<std::int64_t> boxOf(const Eigen::Vector3d& point) const {
+        const Eigen::Array3<std::int64_t> box =
+            ((point - m_low) / m_width).array().floor().cast<std::int64_t>();
+        return box.max(0).min(m_count - 1);
     }
 
-    std::size_t bucketOf(std::uint64_t box) const {
-        const std::uint64_t hash = box * 0x9E3779B97F4A7C15U;
-        return static_cast<std::size_t>(hash >> 20U) & m_mask;
-    }
-
-    /// Counting sort by bucket.
+    /// Counting sort by box.
     void sort() {
-        m_mask = std::bit_ceil(m_members.size() + 1) - 1;
-        m_begin.assign(m_mask + 2, 0);
-        for (Member& m : m_members) {
-            m.box = boxOf(m.point);
-            ++m_begin[bucketOf(m.box) + 1];
+        m_begin.assign(static_cast<std::size_t>(m_count.prod()) + 1, 0);
+        for (const Member& m : m_members) {
+            ++m_begin[index(boxOf(m.point)) + 1];
         }
         for (std::size_t b = 1; b < m_begin.size(); ++b) {
             m_begin[b] += m_begin[b - 1];
@@ -112,17 +114,18 @@ private:
         std::vector<std::size_t> next(m_begin.begin(), m_begin.end() - 1);
         std::vector<Member> sorted(m_members.size());
         for (const Member& m : m_members) {
-            sorted[next[bucketOf(m.box)]++] = m;
+            sorted[next[index(boxOf(m.point))]++] = m;
         }
         m_members.swap(sorted);
     }
 
     double m_range;
+    double m_width = 1; ///< of a box
     Eigen::Vector3d m_low;
     Eigen::Vector3d m_high;
-    std::size_t m_mask = 0;
+    Eigen::Array3<std::int64_t> m_count; ///< of boxes, by axis
     std::vector<Member> m_members;
-    std::vector<std::size_t> m_begin; ///< by bucket, into m_members
+    std::vector<std::size_t> m_begin; ///< by box, into m_members
 };
 
 } // namespace
@@ -130,7 +133,7 @@ private:
 std::vector<NearPair> findNearPairs(const Eigen::Matrix3Xd& points,
                                     const std::optional<Eigen::Vector2d>& cell, double range) {
     std::vector<NearPair> pairs;
-    if (points.cols() == 0) {
+    if (points.cols() == 0 || !points.allFinite()) {
         return pairs;
     }
     const Grid grid(points, cell, range);
@@ -139,6 +142,28 @@ std::vector<NearPair> findNearPairs(const Eigen::Matrix3Xd& points,
         grid.forNear(points.col(i), [&](const Place& b) {
             if (b.isImage() || b.node > a) {
                 pairs.push_back({a, b});
+            }
+        });
+    }
+    return pairs;
+}
+
+std::vector<NearPair> findNearPairsOf(const Eigen::Matrix3Xd& points, const std::vector<char>& chosen,
+                                      double range) {
+    std::vector<NearPair> pairs;
+    if (points.cols() == 0 || !points.allFinite()) {
+        return pairs;
+    }
+    const Grid grid(points, std::nullopt, range);
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        if (chosen[static_cast<std::size_t>(i)] == 0) {
+            continue;
+        }
+        const auto a = static_cast<Entry>(i);
+        grid.forNear(points.col(i), [&](const Place& b) {
+            const bool once = chosen[static_cast<std::size_t>(b.node)] == 0 || b.node > a;
+            if (b.node != a && once) {
+                pairs.push_back({std::min(a, b.node), {std::max(a, b.node), 0, 0}});
             }
         });
     }

@@ -13,9 +13,13 @@ struct NearPair {
     Place b;
 };
 
-/// Every pair of points nearer than `range`, once each, sorted by a; with `cell` also pairs of a point and
-/// images, its own included. By a grid: time and memory linear in the points for a bounded density.
+/// Every pair of points nearer than `range`, once each; with `cell` also pairs of a point and images, its own
+/// included. By a grid: time and memory linear in the points for a bounded density.
 std::vector<NearPair> findNearPairs(const Eigen::Matrix3Xd& points,
                                     const std::optional<Eigen::Vector2d>& cell, double range);
+
+/// Those of them, without a cell, that a chosen point is part of; `chosen` by point. a < b.
+std::vector<NearPair> findNearPairsOf(const Eigen::Matrix3Xd& points, const std::vector<char>& chosen,
+                                      double range);
 
 } // namespace knittsim::physics

@@ -1,5 +1,7 @@
 #include "core/physics/yarn_model/relax_cell.h"
 
+#include "core/physics/yarn_model/axis_term.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,48 +10,16 @@ namespace knittsim::physics {
 
 namespace {
 
-/// 1/2 k (yarn of the node) z^2.
-class FlatteningTerm final : public EnergyTerm {
-public:
-    FlatteningTerm(const YarnChains& chains, double stiffness) : m_stiffness(nodeLengths(chains)) {
-        for (double& k : m_stiffness) {
-            k *= stiffness;
-        }
+/// Pull to the middle plane, by yarn of each node.
+AxisTerm flatteningTerm(const YarnChains& chains, double stiffness) {
+    const std::vector<double> yarn = nodeLengths(chains);
+    std::vector<AxisTerm::Spring> springs;
+    springs.reserve(yarn.size());
+    for (const double length : yarn) {
+        springs.push_back({static_cast<Entry>(springs.size()), 2, 0, stiffness * length});
     }
-
-    double evaluate(const Vector& x, Vector* gradient) const override {
-        double energy = 0;
-        forNodes([&](Eigen::Index z, double k) {
-            energy += 0.5 * k * x[z] * x[z];
-            if (gradient != nullptr) {
-                (*gradient)[z] += k * x[z];
-            }
-        });
-        return energy;
-    }
-    void linearise(const Vector& /*x*/) override {}
-    void multiply(const Vector& v, Vector& y) const override {
-        forNodes([&](Eigen::Index z, double k) { y[z] += k * v[z]; });
-    }
-    void addDiagonal(Eigen::Matrix3Xd& blocks) const override {
-        forNodes([&](Eigen::Index z, double k) { blocks(2, z) += k; });
-    }
-    void addBlocks(BlockSink& sink) const override {
-        forNodes([&](Eigen::Index z, double k) {
-            const auto entry = static_cast<Entry>(z / 3);
-            sink.add(entry, entry, Eigen::Vector3d(0, 0, k).asDiagonal());
-        });
-    }
-
-private:
-    template<class Visit> void forNodes(Visit visit) const {
-        for (std::size_t e = 0; e < m_stiffness.size(); ++e) {
-            visit(3 * static_cast<Eigen::Index>(e) + 2, m_stiffness[e]);
-        }
-    }
-
-    std::vector<double> m_stiffness; ///< by node
-};
+    return AxisTerm(std::move(springs));
+}
 
 double meanOf(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -84,7 +54,7 @@ CellShape relaxCell(const KnitPurl& pattern, const std::vector<double>& loopLeng
     result.chains = knitCell(pattern, loopLengths, yarn, startOf(options, result.loopLength));
     YarnModel model(result.chains);
     if (options.flattening > 0) {
-        model.add(std::make_unique<FlatteningTerm>(result.chains, options.flattening));
+        model.add(std::make_unique<AxisTerm>(flatteningTerm(result.chains, options.flattening)));
     }
     const Vector start = result.chains.start();
     Motion motion{start, Vector::Zero(start.size()), 0};

@@ -6,7 +6,7 @@ namespace knittsim::physics {
 
 namespace {
 constexpr double kRoom = 1.15;   ///< smallest distance over core diameter that yarns may grow to
-constexpr double kGrowth = 1.25; ///< at most, from one stage to the next
+constexpr double kGrowth = 1.25; ///< at most, from one step to the next
 constexpr double kLeastGrowth = 1.03;
 constexpr double kThinnest = 0.02;
 constexpr double kNarrowest = 0.25; ///< cell over yarn diameter: below, it has folded up
@@ -15,86 +15,75 @@ bool foldedUp(const YarnModel& model, const Vector& x) {
     const std::optional<Eigen::Vector2d> cell = cellAt(x, model.cellEntry());
     return cell && !(cell->minCoeff() > kNarrowest * model.thickestDiameter());
 }
+} // namespace
 
-struct Run {
-    YarnModel& model;
-    Motion& motion;
-    const YarnRelaxOptions& options;
-    std::unique_ptr<Integrator> integrator;
-    StopRule rule;
-    YarnRelaxReport report;
-
-    Run(YarnModel& m, Motion& start, const YarnRelaxOptions& o)
-        : model(m), motion(start), options(o), integrator(makeIntegrator(o.integrator)) {
-        rule.setLimit(options.residual);
-        rule.setReference(model);
-        integrator->initialise(model, motion);
+YarnRelaxation::YarnRelaxation(YarnModel& model, Motion& motion, const char* integrator, double residual,
+                               Start start)
+    : m_model(model), m_motion(motion), m_integrator(makeIntegrator(integrator)) {
+    m_rule.setLimit(residual);
+    m_rule.setReference(model);
+    if (start == Start::Thin) {
+        m_thickness = std::clamp(fitting(), kThinnest, 1.0);
+        m_model.setThickness(m_thickness);
     }
-
-    bool goesOn() const {
-        return report.verdict == StopRule::Verdict::GoOn && report.evaluations < options.mostEvaluations;
-    }
-
-    /// False when it was cancelled.
-    bool advance(StepReport& step) {
-        step = integrator->step(motion, Interrupt(options.cancelled));
-        if (step.outcome == StepReport::Outcome::Cancelled) {
-            return false;
-        }
-        ++report.steps;
-        report.evaluations += step.evaluations;
-        report.residual = rule.residual(step.forceNorm);
-        report.energy = step.potential;
-        if (foldedUp(model, motion.positions)) {
-            report.verdict = StopRule::Verdict::Diverged;
-        }
-        return true;
-    }
-};
-
-/// From as thin as the nearest cores have room for to true thickness. False: it did not get there.
-bool grow(Run& run) {
-    const auto fitting = [&] {
-        run.model.setThickness(1);
-        const StrandAudit audit = run.model.audit(run.motion.positions);
-        return audit.worstA < 0 ? 1.0 : audit.smallestDistance / (kRoom * audit.worstCore);
-    };
-    double thickness = std::clamp(fitting(), kThinnest, 1.0);
-    run.model.setThickness(thickness);
-    StepReport step;
-    while (thickness < 1 && run.goesOn() && run.advance(step)) {
-        thickness = std::min(1.0, std::clamp(fitting(), kLeastGrowth * thickness, kGrowth * thickness));
-        run.model.setThickness(thickness);
-        run.integrator->initialise(run.model, run.motion);
-    }
-    return thickness >= 1;
+    m_integrator->initialise(m_model, m_motion);
 }
 
-void settle(Run& run) {
-    StepReport step;
-    while (run.goesOn() && run.advance(step)) {
-        if (run.report.verdict == StopRule::Verdict::GoOn) {
-            run.report.verdict =
-                run.rule.judge(step, run.motion.positions, run.integrator->takesLargeSteps());
-        }
+/// The thickness at which the nearest cores still have room between them.
+double YarnRelaxation::fitting() {
+    m_model.setThickness(1);
+    const StrandAudit audit = m_model.audit(m_motion.positions);
+    return audit.worstA < 0 ? 1.0 : audit.smallestDistance / (kRoom * audit.worstCore);
+}
+
+void YarnRelaxation::grow() {
+    m_thickness = std::clamp(fitting(), kLeastGrowth * m_thickness, kGrowth * m_thickness);
+    m_thickness = std::min(m_thickness, 1.0);
+    m_model.setThickness(m_thickness);
+    m_integrator->initialise(m_model, m_motion);
+    m_rule.restart();
+}
+
+bool YarnRelaxation::step(const Interrupt& interrupt) {
+    m_last = m_integrator->step(m_motion, interrupt);
+    if (m_last.outcome == StepReport::Outcome::Cancelled) {
+        return false;
     }
+    ++m_report.steps;
+    m_report.evaluations += m_last.evaluations;
+    m_report.residual = m_rule.residual(m_last.forceNorm);
+    m_report.energy = m_last.potential;
+    if (foldedUp(m_model, m_motion.positions)) {
+        m_report.verdict = StopRule::Verdict::Diverged;
+        return false;
+    }
+    if (m_thickness < 1) {
+        grow();
+        return true;
+    }
+    m_report.verdict = m_rule.judge(m_last, m_motion.positions, m_integrator->takesLargeSteps());
+    return m_report.verdict == StopRule::Verdict::GoOn;
+}
+
+namespace {
+YarnRelaxReport toTheEnd(YarnModel& model, Motion& motion, const YarnRelaxOptions& options,
+                         YarnRelaxation::Start start) {
+    YarnRelaxation relaxation(model, motion, options.integrator, options.residual, start);
+    while (relaxation.report().evaluations < options.mostEvaluations &&
+           relaxation.step(Interrupt(options.cancelled))) {
+    }
+    YarnRelaxReport report = relaxation.report();
+    report.audit = model.audit(motion.positions);
+    return report;
 }
 } // namespace
 
 YarnRelaxReport settleYarns(YarnModel& model, Motion& motion, const YarnRelaxOptions& options) {
-    Run run(model, motion, options);
-    settle(run);
-    run.report.audit = model.audit(motion.positions);
-    return run.report;
+    return toTheEnd(model, motion, options, YarnRelaxation::Start::Thick);
 }
 
 YarnRelaxReport relaxYarns(YarnModel& model, Motion& motion, const YarnRelaxOptions& options) {
-    Run run(model, motion, options);
-    if (grow(run)) {
-        settle(run);
-    }
-    run.report.audit = model.audit(motion.positions);
-    return run.report;
+    return toTheEnd(model, motion, options, YarnRelaxation::Start::Thin);
 }
 
 } // namespace knittsim::physics

@@ -29,12 +29,43 @@ struct YarnRelaxReport {
     }
 };
 
-/// To rest, the yarns as thick as they are.
+/// To rest, step by step. A cell that folds up to less than a yarn is given up as Diverged.
+class YarnRelaxation {
+public:
+    enum class Start {
+        Thin, ///< strands may be nearer than their cores: yarns grow as room is made for them
+        Thick ///< yarns are as thick as the model has them
+    };
+
+    /// Model and motion must outlive it; nobody else moves them.
+    YarnRelaxation(YarnModel& model, Motion& motion, const char* integrator, double residual,
+                   Start start = Start::Thin);
+
+    /// One step of the integrator. False when there is nothing more to do: see report().verdict.
+    bool step(const Interrupt& interrupt);
+
+    /// Without the audit.
+    const YarnRelaxReport& report() const { return m_report; }
+    const StepReport& last() const { return m_last; }
+    bool takesLargeSteps() const { return m_integrator->takesLargeSteps(); }
+
+private:
+    double fitting();
+    void grow();
+
+    YarnModel& m_model;
+    Motion& m_motion;
+    std::unique_ptr<Integrator> m_integrator;
+    StopRule m_rule;
+    YarnRelaxReport m_report;
+    StepReport m_last;
+    double m_thickness = 1;
+};
+
+/// All steps from yarns as thick as they are, then the audit.
 YarnRelaxReport settleYarns(YarnModel& model, Motion& motion, const YarnRelaxOptions& options = {});
 
-/// From strands that may be nearer than their cores to rest: with yarns so thin that no cores overlap, which
-/// then grow to their true diameter as room is made for them. A cell that folds up to less than a yarn is
-/// given up as Diverged.
+/// All steps from thin yarns, then the audit.
 YarnRelaxReport relaxYarns(YarnModel& model, Motion& motion, const YarnRelaxOptions& options = {});
 
 } // namespace knittsim::physics

@@ -59,6 +59,10 @@ public:
     std::vector<Part>& parts() { return m_parts; }
 
     void multiply(const Vector& v, Vector& y) const {
+        if (m_cell < 0) {
+            multiplyWithoutCell(v, y);
+            return;
+        }
         for (const Part& part : m_parts) {
             part.stencil.spread(part.stiffness * part.stencil.of(v, m_cell), y, m_cell);
         }
@@ -78,6 +82,33 @@ public:
     }
 
 private:
+    /// Most of the work of a solver: no images to think of.
+    void multiplyWithoutCell(const Vector& v, Vector& y) const {
+        const double* from = v.data();
+        double* to = y.data();
+        for (const Part& part : m_parts) {
+            double j[3] = {0, 0, 0};
+            for (std::size_t k = 0; k < Count; ++k) {
+                const double* p = from + std::ptrdiff_t{3} * part.stencil.places[k].node;
+                const double w = part.stencil.weights[k];
+                j[0] += w * p[0];
+                j[1] += w * p[1];
+                j[2] += w * p[2];
+            }
+            const double* s = part.stiffness.data(); // symmetric
+            const double f[3] = {s[0] * j[0] + s[1] * j[1] + s[2] * j[2],
+                                 s[3] * j[0] + s[4] * j[1] + s[5] * j[2],
+                                 s[6] * j[0] + s[7] * j[1] + s[8] * j[2]};
+            for (std::size_t k = 0; k < Count; ++k) {
+                double* p = to + std::ptrdiff_t{3} * part.stencil.places[k].node;
+                const double w = part.stencil.weights[k];
+                p[0] += w * f[0];
+                p[1] += w * f[1];
+                p[2] += w * f[2];
+            }
+        }
+    }
+
     template<class Visit> void forBlocks(Visit visit) const {
         for (const Part& part : m_parts) {
             const Stencil<Count>& s = part.stencil;

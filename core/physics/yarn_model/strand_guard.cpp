@@ -13,10 +13,20 @@ namespace {
 constexpr double kRange = 0.6; ///< outer diameters of the thickest yarn
 constexpr double kCores = 1.2; ///< and core diameters at least
 constexpr double kSkin = 0.4;
+
+double rangeOf(const YarnChains& chains) {
+    double range = 0;
+    for (const Chain& chain : chains.chains) {
+        const RodYarn& yarn = chains.yarns[static_cast<std::size_t>(chain.yarn)];
+        range = std::max({range, kRange * yarn.outerDiameter, kCores * yarn.coreDiameter});
+    }
+    return range;
+}
 } // namespace
 
 StrandGuard::StrandGuard(const YarnChains& chains)
-    : m_own(chains), m_nodeCount(chains.nodeCount()), m_cell(chains.cellEntry()) {
+    : m_own(chains), m_nodeCount(chains.nodeCount()), m_cell(chains.cellEntry()), m_range(rangeOf(chains)),
+      m_skin(m_nodeCount, m_cell, kSkin * m_range) {
     for (const Chain& chain : chains.chains) {
         const RodYarn& yarn = chains.yarns[static_cast<std::size_t>(chain.yarn)];
         const double exclusion = OwnStretch::kExclusion * 0.5 * yarn.outerDiameter;
@@ -25,7 +35,6 @@ StrandGuard::StrandGuard(const YarnChains& chains)
             const double rest = chains.restLength[static_cast<std::size_t>(node)];
             m_segments.push_back({node, chain.place(i + 1), yarn.coreDiameter, exclusion + rest});
         }
-        m_range = std::max({m_range, kRange * yarn.outerDiameter, kCores * yarn.coreDiameter});
     }
 }
 
@@ -61,30 +70,64 @@ double StrandGuard::relativeMotion(const Vector& move, const Pair& pair) const {
                                (a1 - b1).squaredNorm()}));
 }
 
+void StrandGuard::turnOdometers(const Vector& x) {
+    if (m_last.size() != x.size()) {
+        m_skin.forget();
+        return;
+    }
+    // A cell moves its images against each other: then all have gone as far as the bound on any two says.
+    const double all =
+        m_cell < 0 ? 0
+                   : 0.5 * relativeMotionBound(m_last, x, m_nodeCount, m_cell, m_range + m_skin.thickness());
+    for (Segment& s : m_segments) {
+        s.odometer += m_cell >= 0
+                          ? all
+                          : std::sqrt(std::max((at(x, s.node) - at(m_last, s.node)).squaredNorm(),
+                                               (at(x, s.next.node) - at(m_last, s.next.node)).squaredNorm()));
+    }
+}
+
 void StrandGuard::findPairs(const Vector& x) {
-    m_pairs.clear();
-    m_found = m_odometer;
+    const Skin::Age age = m_skin.renew(x, m_range);
+    if (age == Skin::Age::Fresh) {
+        return;
+    }
+    const Vector& places = m_skin.reference();
     Eigen::Matrix3Xd middles(3, static_cast<Eigen::Index>(m_segments.size()));
+    std::vector<char> moved(m_segments.size(), 0);
     double longest = 0;
     for (std::size_t i = 0; i < m_segments.size(); ++i) {
-        const Eigen::Vector3d begin = at(x, m_segments[i].node);
-        const Eigen::Vector3d end = position(x, m_cell, m_segments[i].next);
+        const Segment& s = m_segments[i];
+        const Eigen::Vector3d begin = at(places, s.node);
+        const Eigen::Vector3d end = position(places, m_cell, s.next);
         middles.col(static_cast<Eigen::Index>(i)) = 0.5 * (begin + end);
         longest = std::max(longest, (end - begin).norm());
+        moved[i] = age == Skin::Age::Partly && (m_skin.moved(s.node) || m_skin.moved(s.next.node)) ? 1 : 0;
     }
-    for (const NearPair& near : findNearPairs(middles, cellAt(x, m_cell), (1 + kSkin) * m_range + longest)) {
-        if (neighbours(near)) {
+    const double range = m_range + m_skin.thickness() + longest;
+    if (age == Skin::Age::Partly) {
+        std::erase_if(m_pairs, [&](const Pair& p) { return moved[p.a] != 0 || moved[p.b] != 0; });
+        addPairs(x, findNearPairsOf(middles, moved, range));
+    } else {
+        m_pairs.clear();
+        addPairs(x, findNearPairs(middles, cellAt(x, m_cell), range));
+    }
+}
+
+void StrandGuard::addPairs(const Vector& x, const std::vector<NearPair>& near) {
+    for (const NearPair& found : near) {
+        if (neighbours(found)) {
             continue;
         }
-        Pair pair{static_cast<std::uint32_t>(near.a),
-                  static_cast<std::uint32_t>(near.b.node),
-                  near.b.across,
-                  near.b.up,
+        Pair pair{static_cast<std::uint32_t>(found.a),
+                  static_cast<std::uint32_t>(found.b.node),
+                  found.b.across,
+                  found.b.up,
                   0,
-                  m_odometer,
+                  0,
                   false};
-        pair.distance = distanceOf(x, pair);
-        if (pair.distance < (1 + kSkin) * m_range) {
+        if (distanceOf(m_skin.reference(), pair) < m_range + m_skin.thickness()) {
+            renewDistance(x, pair);
             const Segment& a = m_segments[pair.a];
             const Place b = first(m_segments[pair.b], pair.across, pair.up);
             pair.oneStrand = m_own.along(a.node, b) < a.stretch;
@@ -94,14 +137,8 @@ void StrandGuard::findPairs(const Vector& x) {
 }
 
 void StrandGuard::prepare(const Vector& x) {
-    if (m_last.size() != x.size()) {
-        findPairs(x);
-    } else {
-        m_odometer += relativeMotionBound(m_last, x, m_nodeCount, m_cell, (1 + kSkin) * m_range);
-        if (m_odometer - m_found > kSkin * m_range) {
-            findPairs(x);
-        }
-    }
+    turnOdometers(x);
+    findPairs(x);
     m_last = x;
 }
 
@@ -115,17 +152,39 @@ double StrandGuard::allowed(const Vector& x, const Vector& move) {
     double factor = std::min(1.0, kShare * m_range / std::max(any, 1e-300));
     for (Pair& pair : m_pairs) {
         const double motion = relativeMotion(move, pair);
-        const double known = pair.distance - (m_odometer - pair.odometer);
-        if (factor * motion <= kShare * known) {
+        if (factor * motion <= kShare * lowerBound(pair)) {
             continue;
         }
-        pair.distance = distanceOf(x, pair);
-        pair.odometer = m_odometer;
+        renewDistance(x, pair);
         if (factor * motion > kShare * pair.distance) {
             factor = kShare * pair.distance / motion;
         }
     }
     return factor;
+}
+
+void StrandGuard::lowerShares(const Vector& x, const Vector& move, std::vector<double>& share) {
+    prepare(x);
+    for (Pair& pair : m_pairs) {
+        const double motion = relativeMotion(move, pair);
+        if (motion <= kShare * lowerBound(pair)) {
+            continue;
+        }
+        renewDistance(x, pair);
+        if (motion > kShare * pair.distance) {
+            const Segment& a = m_segments[pair.a];
+            const Segment& b = m_segments[pair.b];
+            lower(share, {a.node, a.next.node, b.node, b.next.node}, kShare * pair.distance / motion);
+        }
+    }
+    // Strands that are not known to be near are farther apart than the range.
+    const double any = 0.5 * kShare * m_range;
+    for (Entry e = 0; e < m_nodeCount; ++e) {
+        const double own = at(move, e).norm();
+        if (own > any) {
+            lower(share, {e}, any / own);
+        }
+    }
 }
 
 StrandAudit StrandGuard::audit(const Vector& x, double thickness) {

@@ -3,7 +3,10 @@
 #include "core/physics/yarn_model/chains.h"
 #include "core/physics/yarn_model/near_places.h"
 #include "core/physics/yarn_model/own_stretch.h"
+#include "core/physics/yarn_model/skin.h"
 
+#include <algorithm>
+#include <initializer_list>
 #include <vector>
 
 namespace knittsim::physics {
@@ -23,8 +26,8 @@ struct StrandAudit {
 /// move against each other by more than kShare of the distance of the segments, so they stay apart on the
 /// whole way (conservative advancement). All segments count but those that share a node.
 ///
-/// Nearby segments come from a grid with a skin. For each of them the last known distance, less what all has
-/// moved since, is a lower bound; only where that does not do is the distance computed anew.
+/// Nearby segments come from a grid with a skin. For each of them the last known distance, less what they
+/// have moved since, is a lower bound; only where that does not do is the distance computed anew.
 class StrandGuard {
 public:
     static constexpr double kShare = 0.6;
@@ -34,6 +37,18 @@ public:
     /// Largest factor in [0, 1] by which `move` may be made from x.
     double allowed(const Vector& x, const Vector& move);
 
+    /// Lowers the shares (by node) by which `move` may be made from x where pairs of segments are in the way:
+    /// a help to shorten a move only where that is needed. What it leaves is for `allowed` to check.
+    void lowerShares(const Vector& x, const Vector& move, std::vector<double>& share);
+
+    /// share[node] = min(share[node], by)
+    static void lower(std::vector<double>& share, std::initializer_list<Entry> nodes, double by) {
+        for (const Entry e : nodes) {
+            double& own = share[static_cast<std::size_t>(e)];
+            own = std::min(own, by);
+        }
+    }
+
     /// Core diameters are those of the yarns times `thickness`.
     StrandAudit audit(const Vector& x, double thickness = 1);
 
@@ -42,7 +57,8 @@ private:
         Entry node = 0; ///< its first one
         Place next;     ///< its second one
         double core = 0;
-        double stretch = 0; ///< yarn within which it is one strand with itself
+        double stretch = 0;  ///< yarn within which it is one strand with itself
+        double odometer = 0; ///< bound on how far its points have gone
     };
     struct Pair {
         std::uint32_t a = 0;
@@ -50,7 +66,7 @@ private:
         int across = 0; ///< image of b
         int up = 0;
         double distance = 0; ///< when it was last computed
-        double odometer = 0; ///< then
+        double odometer = 0; ///< of both segments, then
         bool oneStrand = false;
     };
 
@@ -61,8 +77,18 @@ private:
     bool neighbours(const NearPair& pair) const;
     double distanceOf(const Vector& x, const Pair& pair) const;
     double relativeMotion(const Vector& move, const Pair& pair) const;
+    double odometer(const Pair& pair) const {
+        return m_segments[pair.a].odometer + m_segments[pair.b].odometer;
+    }
+    double lowerBound(const Pair& pair) const { return pair.distance - (odometer(pair) - pair.odometer); }
+    void renewDistance(const Vector& x, Pair& pair) const {
+        pair.distance = distanceOf(x, pair);
+        pair.odometer = odometer(pair);
+    }
     void prepare(const Vector& x);
+    void turnOdometers(const Vector& x);
     void findPairs(const Vector& x);
+    void addPairs(const Vector& x, const std::vector<NearPair>& near);
 
     std::vector<Segment> m_segments;
     OwnStretch m_own;
@@ -70,9 +96,8 @@ private:
     Entry m_cell;
     double m_range = 0; ///< pairs farther apart than this (middles of strands) need not be known
     std::vector<Pair> m_pairs;
-    Vector m_last;         ///< shape that was asked about last
-    double m_odometer = 0; ///< bound on how much any two points have moved against each other so far
-    double m_found = 0;    ///< its reading when the pairs were found
+    Skin m_skin;
+    Vector m_last; ///< shape that was asked about last
 };
 
 } // namespace knittsim::physics

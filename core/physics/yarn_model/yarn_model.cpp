@@ -126,6 +126,48 @@ double YarnModel::allowedStep(const Vector& x, const Vector& move, double distor
     return whole > distortion ? std::min(guarded, distortion / whole) : guarded;
 }
 
+void YarnModel::shorten(const Vector& x, Vector& move, double distortion) const {
+    constexpr int kRounds = 3;
+    if (m_cell < 0 && x.allFinite() && move.allFinite()) {
+        for (int round = 0; round < kRounds; ++round) {
+            std::vector<double> share(static_cast<std::size_t>(m_nodeCount), 1);
+            for (const Chain& c : m_chains) {
+                for (Entry e = c.first; e < c.first + c.segmentCount(); ++e) {
+                    const double change = (at(move, c.place(e - c.first + 1).node) - at(move, e)).norm();
+                    const double most = distortion * m_restLength[static_cast<std::size_t>(e)];
+                    if (change > most) {
+                        StrandGuard::lower(share, {e, c.place(e - c.first + 1).node}, most / change);
+                    }
+                }
+            }
+            m_guard.lowerShares(x, move, share);
+            if (std::ranges::all_of(share, [](double s) { return s == 1; })) {
+                break;
+            }
+            spread(share);
+            for (Entry e = 0; e < m_nodeCount; ++e) {
+                at(move, e) *= share[static_cast<std::size_t>(e)];
+            }
+        }
+    }
+    move *= allowedStep(x, move, distortion);
+}
+
+/// What is shortened at one node is shortened a little less at the next ones.
+void YarnModel::spread(std::vector<double>& share) const {
+    constexpr double kRise = 1.25; ///< from node to node
+    for (const Chain& c : m_chains) {
+        for (Entry e = c.first + 1; e < c.first + c.count; ++e) {
+            const auto i = static_cast<std::size_t>(e);
+            share[i] = std::min(share[i], kRise * share[i - 1]);
+        }
+        for (Entry e = c.first + c.count - 1; e > c.first; --e) {
+            const auto i = static_cast<std::size_t>(e);
+            share[i - 1] = std::min(share[i - 1], kRise * share[i]);
+        }
+    }
+}
+
 std::unique_ptr<Metric> YarnModel::makeMetric() const {
     return std::make_unique<YarnPreconditioner>(*this);
 }

@@ -60,6 +60,7 @@ public:
     void multiply(const Vector& v, Vector& y) const override;
     void mask(Vector& v) const override;
     double allowedStep(const Vector& x, const Vector& move, double distortion) const override;
+    void shorten(const Vector& x, Vector& move, double distortion) const override;
     std::unique_ptr<Metric> makeMetric() const override;
     std::unique_ptr<Preconditioner> makePreconditioner() const override;
 
@@ -67,6 +68,7 @@ private:
     friend class YarnPreconditioner;
 
     template<class Visit> void forTerms(Visit visit) const;
+    void spread(std::vector<double>& share) const;
 
     std::vector<Chain> m_chains;
     Entry m_nodeCount;

@@ -1,0 +1,380 @@
+#include "core/simulation/fabric_yarns.h"
+
+#include "core/geometry/yarn_curve_builder.h"
+#include "core/physics/yarn_model/fabric_repeat.h"
+#include "core/simulation/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace knittsim::simulation {
+
+namespace {
+
+using fabric::Fabric;
+using fabric::PointIndex;
+using geometry::YarnCurves;
+using physics::Entry;
+
+constexpr int kSamples = 6;         ///< of the curve between two control points
+constexpr double kLeastYarn = 0.3;  ///< of its share of the curve: spans with hardly any yarn
+constexpr double kLeastDepth = 0.5; ///< stretch along the third axis
+constexpr double kMostDepth = 4;
+constexpr double kNarrowest = 1 / 5.5;   ///< wale spacing to start from, loop lengths
+constexpr double kLowest = 1 / 6.5;      ///< course spacing, where the repeat does not tell it
+constexpr std::size_t kLargestCell = 16; ///< stitches of a repeat
+constexpr int kCellEvaluations = 5'000;
+constexpr double kSettleSeconds = 30;                    ///< for the bonding-point model
+constexpr double kClosedLoop = 1 - fabric::kSinkerShare; ///< of a loop length, between its two bases
+
+double meanLoopLength(const Fabric& f) {
+    double sum = 0;
+    for (const machine::Loop& loop : f.made.loops) {
+        sum += loop.lengthMm;
+    }
+    return f.made.loops.empty() ? 1 : sum / static_cast<double>(f.made.loops.size());
+}
+
+std::vector<float> machinePositions(const Fabric& f) {
+    std::vector<float> positions;
+    positions.reserve(3 * f.machinePositions.size());
+    for (const Vec3& p : f.machinePositions) {
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            positions.push_back(static_cast<float>(p[i]));
+        }
+    }
+    return positions;
+}
+
+/// Carrier whose yarn is the longest.
+machine::CarrierIndex mostUsedCarrier(const Fabric& f) {
+    const auto longest = std::ranges::max_element(f.yarns, {}, &fabric::Yarn::lengthMm);
+    return longest == f.yarns.end() ? 0 : longest->carrier;
+}
+
+/// Wale and course spacing of the fabric's repeat, settled as a periodic cell; nothing where there is none or
+/// where it does not settle well.
+std::optional<Eigen::Vector2d> cellSpacings(const Fabric& f, std::span<const yarn::Yarn> yarns) {
+    const std::optional<physics::FabricRepeat> found = physics::findFabricRepeat(f);
+    if (!found || found->repeat.pattern.faces.size() > kLargestCell) {
+        return std::nullopt;
+    }
+    const yarn::Yarn material = found->carrier < yarns.size() ? yarns[found->carrier] : yarn::Yarn();
+    const physics::YarnUnits units = physics::unitsOf(material);
+    std::vector<double> lengths = found->repeat.loopLengths;
+    for (double& length : lengths) {
+        length /= units.lengthMm;
+    }
+    physics::CellOptions options;
+    options.relax.mostEvaluations = kCellEvaluations;
+    const physics::CellShape cell =
+        physics::relaxCell(found->repeat.pattern, lengths, physics::toRod(material, units), options);
+    using Verdict = physics::StopRule::Verdict;
+    const bool settled =
+        cell.relax.verdict == Verdict::ResidualReached || cell.relax.verdict == Verdict::Stagnation;
+    if (!settled || !cell.faults.empty()) {
+        return std::nullopt;
+    }
+    return units.lengthMm * Eigen::Vector2d(cell.waleSpacing, cell.courseSpacing);
+}
+
+/// Factors along x and y from the machine's shape to the spacings that the layout asks for.
+Eigen::Vector2d drawIn(const Fabric& f, std::span<const yarn::Yarn> yarns, const YarnLayout& layout) {
+    const geometry::Measurement machine = geometry::measure(f, machinePositions(f));
+    double wale = layout.waleSpacingMm;
+    double course = layout.courseSpacingMm;
+    if (const auto cell = cellSpacings(f, yarns); cell && !(wale > 0 && course > 0)) {
+        wale = cell->x();
+        course = cell->y();
+    }
+    if (!(wale > 0) || !(course > 0)) {
+        Simulation net;
+        net.apply(command::Load{
+            .fabric = std::make_shared<Fabric>(f), .yarns = {yarns.begin(), yarns.end()}, .generation = 1});
+        net.apply(command::Start{});
+        net.runToEnd(kSettleSeconds);
+        const geometry::Measurement rest = geometry::measure(f, net.frame().positions);
+        wale = wale > 0 ? wale : rest.waleSpacingMm;
+        // The net of bonding points has no thickness; yarn does not come out of so narrow a start.
+        course = course > 0 ? course : std::max(rest.courseSpacingMm, kLowest * meanLoopLength(f));
+        wale = wale > 0 ? wale : rest.waleSpacingMm;
+    }
+    if (!(layout.waleSpacingMm > 0)) {
+        wale = std::max(wale, kNarrowest * meanLoopLength(f));
+    }
+    const auto factor = [](double to, double from) { return to > 0 && from > 0 ? to / from : 1.0; };
+    return {factor(wale, machine.waleSpacingMm), factor(course, machine.courseSpacingMm)};
+}
+
+/// A curve with its yarn: arc length is mapped to fed yarn span by span.
+class Laying {
+public:
+    Laying(const Fabric& f, YarnCurves curves, double segmentMm)
+        : m_fabric(f), m_curves(std::move(curves)), m_segmentMm(segmentMm) {}
+
+    const YarnCurves& curves() const { return m_curves; }
+
+    double curveLength(const Eigen::Vector3d& stretch) const {
+        double sum = 0;
+        for (const YarnCurves::Range& yarn : m_curves.yarns) {
+            for (std::int32_t n = yarn.first; n + 1 < yarn.first + yarn.count; ++n) {
+                sum += (node(n + 1) - node(n)).cwiseProduct(stretch).norm();
+            }
+        }
+        return sum;
+    }
+
+    void stretch(const Eigen::Vector3d& by) {
+        for (Vec3f& p : m_curves.nodes) {
+            p = p.cwiseProduct(by.cast<float>());
+        }
+    }
+
+    void add(std::size_t yarn, FabricYarns& result) const;
+
+private:
+    Eigen::Vector3d node(std::int32_t n) const {
+        return m_curves.nodes[static_cast<std::size_t>(n)].cast<double>();
+    }
+
+    /// By node of the curve: fed yarn from the start of its yarn, mm.
+    std::vector<double> fedAt(const YarnCurves::Range& yarn) const;
+
+    const Fabric& m_fabric;
+    YarnCurves m_curves;
+    double m_segmentMm;
+};
+
+std::vector<double> Laying::fedAt(const YarnCurves::Range& yarn) const {
+    std::vector<double> length(1, 0); // of the curve, then of the yarn
+    for (std::int32_t n = yarn.first; n + 1 < yarn.first + yarn.count; ++n) {
+        length.push_back(length.back() + (node(n + 1) - node(n)).norm());
+    }
+    double stored = 0;
+    const auto pointAt = [&](std::size_t i) {
+        return m_curves.point[static_cast<std::size_t>(yarn.first) + i];
+    };
+    for (PointIndex p = pointAt(0); p <= pointAt(length.size() - 1); ++p) {
+        stored += m_fabric.lengths[static_cast<std::size_t>(p)];
+    }
+    const double usual = length.back() > 0 ? stored / length.back() : 1;
+    std::vector<double> fed(1, 0);
+    for (std::size_t begin = 0; begin + 1 < length.size();) {
+        std::size_t end = begin + 1;
+        while (end + 1 < length.size() && pointAt(end) == pointAt(begin)) {
+            ++end;
+        }
+        const double span = length[end] - length[begin];
+        const bool tail = pointAt(begin) == pointAt(length.size() - 1);
+        const double yarnHere = std::max(m_fabric.lengths[static_cast<std::size_t>(pointAt(begin))],
+                                         (tail ? 1 : kLeastYarn) * usual * span);
+        for (std::size_t i = begin + 1; i <= end; ++i) {
+            const double share = span > 0 ? (length[i] - length[begin]) / span
+                                          : static_cast<double>(i - begin) / static_cast<double>(end - begin);
+            fed.push_back(fed[begin] + share * yarnHere);
+        }
+        begin = end;
+    }
+    return fed;
+}
+
+void Laying::add(std::size_t index, FabricYarns& result) const {
+    const YarnCurves::Range& yarn = m_curves.yarns[index];
+    const std::vector<double> fed = fedAt(yarn);
+    const int segments = 2 * std::max(2, static_cast<int>(std::lround(0.5 * fed.back() / m_segmentMm)));
+    const double segment = fed.back() / segments;
+    if (!(segment > 0)) {
+        return;
+    }
+    physics::YarnChains& chains = result.chains;
+    const Entry first = chains.nodeCount();
+    chains.nodes.conservativeResize(3, first + segments + 1);
+    chains.chains.push_back({first, segments + 1, static_cast<int>(yarn.carrier)});
+    result.carrier.push_back(yarn.carrier);
+    std::size_t i = 0;
+    for (int k = 0; k <= segments; ++k) {
+        const double at = std::min(k * segment, fed.back());
+        while (i + 2 < fed.size() && fed[i + 1] <= at) {
+            ++i;
+        }
+        const double way = fed[i + 1] - fed[i];
+        const double share = way > 0 ? std::min(1.0, (at - fed[i]) / way) : 0;
+        const auto n = yarn.first + static_cast<std::int32_t>(i);
+        chains.nodes.col(first + k) = ((1 - share) * node(n) + share * node(n + 1)) / result.units.lengthMm;
+        chains.restLength.push_back(segment / result.units.lengthMm);
+        result.point.push_back(m_curves.point[static_cast<std::size_t>(n)]);
+        result.piece.push_back(m_curves.piece[static_cast<std::size_t>(n)]);
+    }
+    for (std::size_t c = 0; c < fed.size(); ++c) {
+        const auto p = m_curves.point[static_cast<std::size_t>(yarn.first) + c];
+        Entry& nearest = result.nodeOfPoint[static_cast<std::size_t>(p)];
+        if (nearest < 0) {
+            nearest = first + static_cast<Entry>(std::lround(fed[c] / segment));
+        }
+    }
+}
+
+/// Stretch along the third axis that makes the curves as long as their yarn.
+double depthFor(const Laying& laying, const Eigen::Vector2d& plane, double fedMm) {
+    double low = kLeastDepth;
+    double high = kMostDepth;
+    for (int i = 0; i < 30; ++i) {
+        const double middle = 0.5 * (low + high);
+        (laying.curveLength({plane.x(), plane.y(), middle}) < fedMm ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+void hangUp(const Fabric& f, FabricYarns& yarns) {
+    const auto nodeOf = [&](PointIndex p) { return yarns.nodeOfPoint[static_cast<std::size_t>(p)]; };
+    for (const fabric::Loop& loop : f.loops) {
+        if (loop.end == fabric::Loop::End::Held && loop.headLeft >= 0) {
+            const auto [first, last] = std::minmax({nodeOf(loop.headLeft), nodeOf(loop.headRight)});
+            for (Entry e = first; e <= last; ++e) {
+                yarns.onHolder.push_back(e);
+            }
+        }
+    }
+    for (std::size_t e = 0; e < yarns.piece.size(); ++e) {
+        const fabric::BondingPoint& point = f.points[static_cast<std::size_t>(yarns.piece[e])];
+        const fabric::Loop& loop = f.loops[static_cast<std::size_t>(point.loop)];
+        if (loop.footLeft < 0 && loop.course == 0) {
+            yarns.onComb.push_back(static_cast<Entry>(e));
+        }
+    }
+}
+
+/// The first and the last loop of a yarn are closed, as a slip knot closes them.
+void knotEnds(double loopLength, FabricYarns& yarns) {
+    const physics::YarnChains& chains = yarns.chains;
+    for (const physics::Chain& chain : chains.chains) {
+        const double segment = chains.restLength[static_cast<std::size_t>(chain.first)];
+        const auto way = static_cast<Entry>(std::lround(kClosedLoop * loopLength / segment));
+        if (way < 2 || 2 * way >= chain.count) {
+            continue;
+        }
+        const Entry last = chain.first + chain.count - 1;
+        for (const auto& [end, at] :
+             {std::pair(chain.first, chain.first + way), std::pair(last, last - way)}) {
+            yarns.knots.push_back({end, at, (chains.nodes.col(at) - chains.nodes.col(end)).norm()});
+        }
+    }
+}
+
+} // namespace
+
+FabricYarns layYarns(const Fabric& f, std::span<const yarn::Yarn> yarns, const YarnLayout& layout) {
+    FabricYarns result;
+    result.nodeOfPoint.assign(f.points.size(), -1);
+    const auto yarnOf = [&](machine::CarrierIndex carrier) {
+        return carrier < yarns.size() ? yarns[carrier] : yarn::Yarn();
+    };
+    result.units = physics::unitsOf(yarnOf(mostUsedCarrier(f)));
+    machine::CarrierIndex carriers = 0;
+    double fed = 0;
+    for (const fabric::Yarn& yarn : f.yarns) {
+        carriers = std::max<machine::CarrierIndex>(carriers, yarn.carrier + 1);
+        for (PointIndex p = yarn.first; p < yarn.first + yarn.count; ++p) {
+            fed += f.lengths[static_cast<std::size_t>(p)];
+        }
+    }
+    std::vector<double> diameters;
+    for (machine::CarrierIndex c = 0; c < carriers; ++c) {
+        result.chains.yarns.push_back(physics::toRod(yarnOf(c), result.units));
+        diameters.push_back(yarnOf(c).outerDiameterMm);
+    }
+    const double loopLength = meanLoopLength(f);
+    const Eigen::Vector2d plane = drawIn(f, yarns, layout);
+    Laying laying(f,
+                  geometry::buildYarnCurves(f, machinePositions(f), diameters,
+                                            {.samplesPerSegment = kSamples, .exact = true}),
+                  loopLength / layout.nodesPerLoop);
+    laying.stretch({plane.x(), plane.y(), depthFor(laying, plane, fed)});
+    for (std::size_t yarn = 0; yarn < laying.curves().yarns.size(); ++yarn) {
+        laying.add(yarn, result);
+    }
+    hangUp(f, result);
+    knotEnds(loopLength / result.units.lengthMm, result);
+    return result;
+}
+
+FabricYarns withHalfTheNodes(const Fabric& f, const FabricYarns& yarns, const physics::Vector& x) {
+    FabricYarns result;
+    result.units = yarns.units;
+    result.carrier = yarns.carrier;
+    result.chains.yarns = yarns.chains.yarns;
+    std::vector<Entry> renamed(static_cast<std::size_t>(yarns.chains.nodeCount()), 0);
+    std::vector<Entry> kept;
+    for (const physics::Chain& chain : yarns.chains.chains) {
+        const auto first = static_cast<Entry>(kept.size());
+        for (Entry i = 0; i < chain.count; ++i) {
+            // An odd node is known by the one before it.
+            if (i % 2 == 0) {
+                kept.push_back(chain.first + i);
+            }
+            renamed[static_cast<std::size_t>(chain.first + i)] = static_cast<Entry>(kept.size()) - 1;
+        }
+        result.chains.chains.push_back({first, static_cast<Entry>(kept.size()) - first, chain.yarn});
+    }
+    result.chains.nodes.resize(3, static_cast<Eigen::Index>(kept.size()));
+    for (std::size_t e = 0; e < kept.size(); ++e) {
+        const auto old = static_cast<std::size_t>(kept[e]);
+        result.chains.nodes.col(static_cast<Eigen::Index>(e)) = physics::at(x, kept[e]);
+        result.chains.restLength.push_back(2 * yarns.chains.restLength[old]);
+        result.point.push_back(yarns.point[old]);
+        result.piece.push_back(yarns.piece[old]);
+    }
+    for (const Entry node : yarns.nodeOfPoint) {
+        result.nodeOfPoint.push_back(node < 0 ? -1 : renamed[static_cast<std::size_t>(node)]);
+    }
+    hangUp(f, result);
+    knotEnds(meanLoopLength(f) / result.units.lengthMm, result);
+    return result;
+}
+
+YarnCurves curvesOf(const FabricYarns& yarns, const physics::Vector& x) {
+    YarnCurves curves;
+    const auto nodes = static_cast<std::size_t>(yarns.chains.nodeCount());
+    curves.nodes.reserve(nodes);
+    curves.arc.reserve(nodes);
+    curves.point = yarns.point;
+    curves.piece = yarns.piece;
+    for (std::size_t c = 0; c < yarns.chains.chains.size(); ++c) {
+        const physics::Chain& chain = yarns.chains.chains[c];
+        curves.yarns.push_back({chain.first, chain.count, yarns.carrier[c]});
+        double arc = 0;
+        for (Entry e = chain.first; e < chain.first + chain.count; ++e) {
+            const Eigen::Vector3d place = yarns.units.lengthMm * physics::at(x, e);
+            arc += e == chain.first
+                       ? 0
+                       : yarns.units.lengthMm * (physics::at(x, e) - physics::at(x, e - 1)).norm();
+            curves.nodes.push_back(place.cast<float>());
+            curves.arc.push_back(static_cast<float>(arc));
+        }
+    }
+    return curves;
+}
+
+std::vector<float> entryPositions(const Fabric& f, const FabricYarns& yarns, const physics::Vector& x) {
+    std::vector<float> positions;
+    positions.reserve(3 * static_cast<std::size_t>(f.entryCount));
+    for (fabric::EntryIndex entry = 0; entry < f.entryCount; ++entry) {
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        int count = 0;
+        for (const PointIndex p : f.at(entry)) {
+            const Entry node = yarns.nodeOfPoint[static_cast<std::size_t>(p)];
+            if (node >= 0) {
+                sum += physics::at(x, node);
+                ++count;
+            }
+        }
+        const Eigen::Vector3d place = yarns.units.lengthMm / std::max(1, count) * sum;
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            positions.push_back(static_cast<float>(place[i]));
+        }
+    }
+    return positions;
+}
+
+} // namespace knittsim::simulation

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/fabric/fabric.h"
+#include "core/geometry/measure.h"
+#include "core/geometry/yarn_curve.h"
+#include "core/physics/yarn_model/chains.h"
+#include "core/physics/yarn_model/yarn_units.h"
+
+#include <span>
+#include <vector>
+
+namespace knittsim::simulation {
+
+/// All yarns of a fabric as chains of the yarn model, and the way back from nodes to loops.
+struct FabricYarns {
+    physics::YarnChains chains;            ///< one chain a yarn; lengths in `units`, yarns by carrier
+    physics::YarnUnits units;              ///< those of the yarn of which there is most
+    std::vector<fabric::PointIndex> point; ///< by node: bonding point at or before it
+    std::vector<fabric::PointIndex>
+        piece; ///< by node: bonding point whose leg, float or half sinker it is on
+    std::vector<physics::Entry> nodeOfPoint; ///< by bonding point: the node nearest to it along the yarn, -1
+    std::vector<machine::CarrierIndex> carrier; ///< by chain
+
+    std::vector<physics::Entry> onHolder; ///< heads of live loops, on the stitch holder
+    std::vector<physics::Entry> onComb;   ///< loops of the cast-on
+    /// The first and the last loop of a yarn are closed, as a slip knot closes them.
+    struct Knot {
+        physics::Entry end = 0;
+        physics::Entry at = 0;
+        double length = 0; ///< between them, d
+    };
+    std::vector<Knot> knots;
+};
+
+/// How the yarns are laid out at first.
+struct YarnLayout {
+    int nodesPerLoop = 18;
+    /// To start from; 0: those of the fabric's repeat, or of the bonding-point model at rest.
+    double waleSpacingMm = 0;
+    double courseSpacingMm = 0;
+};
+
+/// The exact curves of the machine's shape, drawn in to the given spacings: one stretch along each axis of
+/// space, so every strand stays on its side of every other one. The third axis is stretched such that the
+/// curves are as long as the yarn that the machine fed. Nodes lie evenly along each yarn. `yarns` by carrier;
+/// carriers beyond its end get a default yarn.
+FabricYarns layYarns(const fabric::Fabric& fabric, std::span<const yarn::Yarn> yarns,
+                     const YarnLayout& layout = {});
+
+/// The same yarns at x with every second node left out.
+FabricYarns withHalfTheNodes(const fabric::Fabric& fabric, const FabricYarns& yarns,
+                             const physics::Vector& x);
+
+/// The chains at x as curves in mm, for drawing and for the proofs of core/geometry.
+geometry::YarnCurves curvesOf(const FabricYarns& yarns, const physics::Vector& x);
+
+/// 3 per entry of the bonding point table, mm: where the strands that meet there are on average.
+std::vector<float> entryPositions(const fabric::Fabric& fabric, const FabricYarns& yarns,
+                                  const physics::Vector& x);
+
+} // namespace knittsim::simulation
