@@ -71,7 +71,7 @@ public:
     std::shared_ptr<const SceneFrame> prepare(std::span<const float> positions);
 
     /// Curves that somebody else has made of this fabric, with normal and height; not for Mesh.
-    std::shared_ptr<const SceneFrame> prepare(const geometry::YarnCurves& curves);
+    std::shared_ptr<const SceneFrame> prepareCurves(const geometry::YarnCurves& curves);
 
     /// Curves of the last frame, for picking. Not filled for Mesh.
     const geometry::YarnCurves& curves() const { return m_builder->curves(); }

@@ -45,7 +45,7 @@ Result<Image> renderFabric(const RenderRequest& request) {
     const std::shared_ptr<const fabric::Fabric> fabric(std::shared_ptr<void>(), request.fabric);
     FabricScene scene(fabric, request.looks, request.style);
     const auto frame =
-        request.curves != nullptr ? scene.prepare(*request.curves) : scene.prepare(request.positions);
+        request.curves != nullptr ? scene.prepareCurves(*request.curves) : scene.prepare(request.positions);
     if (!renderer.value()->upload(frame)) {
         return Diagnostic{.id = "KS0404",
                           .place = {},
