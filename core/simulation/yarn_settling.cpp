@@ -17,7 +17,7 @@ using physics::StopRule;
 constexpr int kSweepsAtOnce = 10;
 constexpr int kMostSweeps = 200;
 constexpr int kMostGrownSweeps = 150; ///< at full thickness; the rods make the rest of the room
-constexpr double kCoarseFrom = 0.5;  ///< thickness
+constexpr double kCoarseFrom = 0.5;   ///< thickness
 constexpr int kStraightening = 12;
 constexpr double kStraight = 1e-6;   ///< d
 constexpr double kRoomEnough = 1.03; ///< distance over core diameter

@@ -84,7 +84,7 @@ double secondsTo(const fabric::Fabric& fabric, const char* integrator, double en
 }
 
 void againstCashKarp(benchmark::State& state) {
-    const fabric::Fabric fabric = plain(8);
+    const fabric::Fabric fabric = plain(6);
     for (auto _ : state) {
         YarnSettling rest(fabric, {}, {});
         while (rest.step({})) {

@@ -171,7 +171,7 @@ std::shared_ptr<const SceneFrame> FabricScene::prepare(std::span<const float> po
     return frame;
 }
 
-std::shared_ptr<const SceneFrame> FabricScene::prepare(const geometry::YarnCurves& curves) {
+std::shared_ptr<const SceneFrame> FabricScene::prepareCurves(const geometry::YarnCurves& curves) {
     auto topology = std::make_shared<SceneTopology>(*m_topology);
     topology->owner.clear();
     topology->yarns.clear();

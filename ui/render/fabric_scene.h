@@ -74,7 +74,7 @@ public:
     std::shared_ptr<const SceneFrame> prepare(std::span<const float> positions);
 
     /// Curves that somebody else has made of this fabric, with normal and height; not for Mesh.
-    std::shared_ptr<const SceneFrame> prepare(const geometry::YarnCurves& curves);
+    std::shared_ptr<const SceneFrame> prepareCurves(const geometry::YarnCurves& curves);
 
     /// Looks once more at who lies in front at every crossing and mends what is wrong; to be called between
     /// frames, while there is time. Returns whether the next frame will differ. Does nothing for Mesh, for

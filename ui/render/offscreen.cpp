@@ -47,7 +47,7 @@ Result<Image> renderFabric(const RenderRequest& request) {
     while (request.curves == nullptr && scene.improve()) {
     }
     const auto frame =
-        request.curves != nullptr ? scene.prepare(*request.curves) : scene.prepare(request.positions);
+        request.curves != nullptr ? scene.prepareCurves(*request.curves) : scene.prepare(request.positions);
     if (!renderer.value()->upload(frame)) {
         return Diagnostic{.id = "KS0404",
                           .place = {},

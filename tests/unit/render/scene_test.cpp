@@ -76,6 +76,32 @@ TEST(FabricScene, improvingPutsTheRightStrandInFront) {
     EXPECT_FALSE(scene.improve()) << "all is right";
 }
 
+TEST(FabricScene, drawsCurvesThatSomebodyElseHasMade) {
+    geometry::YarnCurves curves;
+    for (int i = 0; i < 7; ++i) {
+        curves.nodes.emplace_back(static_cast<float>(i), 2.0F, 0.5F);
+        curves.point.push_back(i / 2);
+        curves.piece.push_back(i / 2);
+        curves.arc.push_back(static_cast<float>(i));
+        curves.normal.emplace_back(0.0F, 0.0F, 1.0F);
+        curves.height.push_back(0.5F);
+    }
+    curves.yarns = {{0, 3, 0}, {3, 4, 1}};
+    FabricScene scene(makeFabric(), {}, DrawStyle::Yarn);
+    const auto frame = scene.prepareCurves(curves);
+    ASSERT_EQ(frame->topology->yarns.size(), 2U);
+    const auto& second = frame->topology->yarns[1];
+    EXPECT_EQ(second.count, 4);
+    for (int i = 0; i < 4; ++i) {
+        const auto node = static_cast<std::size_t>(second.first + i);
+        EXPECT_EQ(frame->nodes[node][0], static_cast<float>(3 + i));
+        EXPECT_EQ(frame->topology->owner[node], (3 + i) / 2);
+    }
+    EXPECT_FLOAT_EQ(frame->bounds.low.x(), -0.5F * frame->diameters[0]);
+    // The scene itself still knows its own curves.
+    EXPECT_GT(scene.prepare({})->nodes.size(), 20U);
+}
+
 TEST(FabricScene, aCrossingTellsTheWayOfBothStrands) {
     // Two loops change places; the one from needle 0 goes to the right in front of the other.
     const auto fabric = std::make_shared<fabric::Fabric>(
