@@ -68,12 +68,12 @@ std::optional<Eigen::Vector2d> cellSpacings(const Fabric& f, std::span<const yar
     }
     physics::CellOptions options;
     options.relax.mostEvaluations = kCellEvaluations;
-    const physics::CellShape cell =
-        physics::relaxCell(found->repeat.pattern, lengths, physics::toRod(material, units), options);
-    using Verdict = physics::StopRule::Verdict;
-    const bool settled =
-        cell.relax.verdict == Verdict::ResidualReached || cell.relax.verdict == Verdict::Stagnation;
-    if (!settled || !cell.faults.empty()) {
+    const physics::RodYarn rod = physics::toRod(material, units);
+    if (rod.friction > 0) {
+        options.machine = physics::machineHold(f.pitchMm, units);
+    }
+    const physics::CellShape cell = physics::relaxCell(found->repeat.pattern, lengths, rod, options);
+    if (!physics::isAtRest(cell.relax.verdict) || !cell.faults.empty()) {
         return std::nullopt;
     }
     return units.lengthMm * Eigen::Vector2d(cell.waleSpacing, cell.courseSpacing);
