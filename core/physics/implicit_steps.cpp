@@ -17,8 +17,11 @@ constexpr double kMostDamping = 1e3;
 } // namespace
 
 void ImplicitSteps::initialise(System& model, const Motion& /*motion*/) {
-    m_model = &model;
-    m_damping = kFirstDamping * model.stiffnessScale() / model.mass().mean();
+    if (m_model != &model) {
+        m_model = &model;
+        m_damping = kFirstDamping * model.stiffnessScale() / model.mass().mean();
+        m_preconditioner = model.makePreconditioner();
+    }
     m_fresh = true;
 }
 
@@ -31,7 +34,6 @@ StepReport ImplicitSteps::tryStep(Motion& motion, const Interrupt& interrupt) {
     Vector& x = motion.positions;
     const Vector& mass = m_model->mass();
     if (m_fresh) {
-        m_preconditioner = m_model->makePreconditioner();
         m_energy = m_model->evaluate(x, &m_gradient);
         m_fresh = false;
         report.evaluations = 1;

@@ -27,6 +27,7 @@ constexpr double kTwoFacedHalf = 2.4; ///< diameters: a rib is 3.4 to 4.8 thick 
 /// A fabric whose energy falls by less in so many steps is at rest for all that one can measure of it: what
 /// still moves are loose ends.
 constexpr double kEnergyAtRest = 1e-3;
+constexpr double kEnergyHeld = 1e-2;
 constexpr std::size_t kStepsAtRest = 8;
 
 std::vector<Entry> endsOf(const physics::YarnChains& chains) {
@@ -161,24 +162,68 @@ void YarnSettling::startSettling() {
         const double least = isTwoFaced(m_fabric) ? kTwoFacedHalf * m_model->thickestDiameter() : 0;
         m_model->add(std::make_unique<physics::PlateTerm>(std::max(relief, least),
                                                           kPlates * m_model->stiffnessScale()));
+        hold(true);
     }
     m_relaxation.emplace(*m_model, m_motion, m_options.integrator, m_options.residual);
     m_phase = Phase::Settling;
 }
 
+/// Both ends of every course, comb and stitch holder.
+void YarnSettling::hold(bool held) {
+    m_held = held;
+    const auto pin = [&](Entry node) {
+        if (node >= 0) {
+            m_model->setPinned(node, held);
+        }
+    };
+    for (const fabric::YarnCourse& course : m_fabric.courses) {
+        if (course.count > 0) {
+            pin(m_yarns.nodeOfPoint[static_cast<std::size_t>(course.first)]);
+            pin(m_yarns.nodeOfPoint[static_cast<std::size_t>(course.first + course.count - 1)]);
+        }
+    }
+    std::ranges::for_each(m_yarns.onComb, pin);
+    std::ranges::for_each(m_yarns.onHolder, pin);
+}
+
+/// From here on friction holds what the edges held.
+void YarnSettling::letGo() {
+    hold(false);
+    m_friction = physics::addFriction(*m_model, m_yarns.chains);
+    m_relaxation.emplace(*m_model, m_motion, m_options.integrator, m_options.residual,
+                         physics::YarnRelaxation::Start::Thick);
+    m_energies.clear();
+}
+
+/// The energy falls by less than this share in some steps.
+bool YarnSettling::isStill(double share) const {
+    return m_energies.size() > kStepsAtRest &&
+           m_energies[m_energies.size() - 1 - kStepsAtRest] - m_energies.back() <
+               share * std::abs(m_energies.back());
+}
+
 bool YarnSettling::settle(const physics::Interrupt& interrupt) {
+    if (m_friction != nullptr) {
+        // Every step is one of the way: yarn that has moved holds where it is now.
+        m_friction->holdAt(m_motion.positions);
+        m_friction->lag(m_model->contact(), m_model->cores(), m_motion.positions);
+        m_relaxation->forcesChanged();
+    }
     const bool goesOn = m_relaxation->step(interrupt);
     m_report = m_relaxation->report();
     if (m_relaxation->last().outcome == physics::StepReport::Outcome::Cancelled) {
         return false;
     }
     m_energies.push_back(m_model->thickness() < 1 ? HUGE_VAL : m_report.energy);
-    if (goesOn && m_relaxation->takesLargeSteps() && m_energies.size() > kStepsAtRest) {
-        const double before = m_energies[m_energies.size() - 1 - kStepsAtRest];
-        if (before - m_report.energy < kEnergyAtRest * std::abs(m_report.energy)) {
-            m_report.verdict = StopRule::Verdict::Stagnation;
-            m_phase = Phase::Done;
+    if (m_held) {
+        if (!goesOn || isStill(kEnergyHeld)) {
+            letGo();
         }
+        return true;
+    }
+    if (goesOn && m_relaxation->takesLargeSteps() && isStill(kEnergyAtRest)) {
+        m_report.verdict = StopRule::Verdict::Stagnation;
+        m_phase = Phase::Done;
     }
     if (!goesOn) {
         m_phase = Phase::Done;

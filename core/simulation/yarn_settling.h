@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/curve_report.h"
-#include "core/physics/yarn_model/relax_yarns.h"
+#include "core/physics/yarn_model/load_step.h"
 #include "core/physics/yarn_model/yarn_growth.h"
 #include "core/simulation/fabric_yarns.h"
 
@@ -30,7 +30,9 @@ struct YarnAudit {
 
 /// Settles a whole fabric in the yarn model, step by step: thin yarns along the machine's curves, drawn in
 /// (layYarns), that grow and make room for each other (YarnGrowth), then rods that come to rest. The first
-/// course hangs on a comb, the live loops on a stitch holder; both float. One thread at a time.
+/// course hangs on a comb, the live loops on a stitch holder; both float. On a table the edges are held until
+/// the stitches have settled; then friction holds what it can. A fabric that may curl is shaken: it has no
+/// friction. One thread at a time.
 class YarnSettling {
 public:
     struct Options {
@@ -66,6 +68,9 @@ private:
     void coarsen();
     void startSettling();
     bool settle(const physics::Interrupt& interrupt);
+    void hold(bool held);
+    void letGo();
+    bool isStill(double share) const;
 
     const fabric::Fabric& m_fabric;
     Options m_options;
@@ -79,6 +84,8 @@ private:
     physics::Motion m_motion;
     std::optional<physics::YarnGrowth> m_growth;
     std::unique_ptr<physics::YarnModel> m_model;
+    physics::FrictionTerm* m_friction = nullptr; ///< of the model; null when there is none
+    bool m_held = false;                         ///< edges stay where the repeat's spacings put them
     std::optional<physics::YarnRelaxation> m_relaxation;
     physics::YarnRelaxReport m_report;
     std::vector<double> m_energies; ///< by step

@@ -44,6 +44,9 @@ public:
     /// One step of the integrator. False when there is nothing more to do: see report().verdict.
     bool step(const Interrupt& interrupt);
 
+    /// To be called when a term of the model has changed since the last step.
+    void forcesChanged() { m_integrator->initialise(m_model, m_motion); }
+
     /// Without the audit.
     const YarnRelaxReport& report() const { return m_report; }
     const StepReport& last() const { return m_last; }
