@@ -49,7 +49,7 @@ std::vector<float> settledPositions(const Loaded& loaded, double maxSeconds) {
     return simulation.frame().positions;
 }
 
-/// Curves of the yarn model at rest on a table, whose normal is that of the table.
+/// Curves of the yarn model at rest on a table.
 std::optional<geometry::YarnCurves> settledCurves(const Loaded& loaded, double maxSeconds) {
     const auto start = std::chrono::steady_clock::now();
     const std::function<bool()> late = [&] {
@@ -62,12 +62,7 @@ std::optional<geometry::YarnCurves> settledCurves(const Loaded& loaded, double m
     }
     while (settling.step(physics::Interrupt(&late))) {
     }
-    geometry::YarnCurves curves = settling.curves();
-    for (const Vec3f& node : curves.nodes) {
-        curves.normal.emplace_back(0, 0, 1);
-        curves.height.push_back(node.z());
-    }
-    return curves;
+    return settling.curves();
 }
 
 void print(const Diagnostics& diagnostics) {

@@ -351,6 +351,8 @@ YarnCurves curvesOf(const FabricYarns& yarns, const physics::Vector& x) {
                        : yarns.units.lengthMm * (physics::at(x, e) - physics::at(x, e - 1)).norm();
             curves.nodes.push_back(place.cast<float>());
             curves.arc.push_back(static_cast<float>(arc));
+            curves.normal.emplace_back(0.0F, 0.0F, 1.0F);
+            curves.height.push_back(curves.nodes.back().z());
         }
     }
     return curves;

@@ -51,7 +51,8 @@ FabricYarns layYarns(const fabric::Fabric& fabric, std::span<const yarn::Yarn> y
 FabricYarns withHalfTheNodes(const fabric::Fabric& fabric, const FabricYarns& yarns,
                              const physics::Vector& x);
 
-/// The chains at x as curves in mm, for drawing and for the proofs of core/geometry.
+/// The chains at x as curves in mm, for drawing and for the proofs of core/geometry; their surface is that of
+/// a table.
 geometry::YarnCurves curvesOf(const FabricYarns& yarns, const physics::Vector& x);
 
 /// 3 per entry of the bonding point table, mm: where the strands that meet there are on average.

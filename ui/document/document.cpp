@@ -53,6 +53,13 @@ Document::Document(QObject* parent) : QObject(parent), m_library(readLibrary()),
             [this] { setPoint(m_point < 0 ? -1 : firstPointOf(m_selection.loop)); });
     connect(&m_bridge, &SimulationBridge::frameArrived, this, &Document::updateShownFrame);
     connect(&m_bridge, &SimulationBridge::stateChanged, this, &Document::activityChanged);
+    connect(&m_yarnRun, &YarnRun::changed, this, &Document::yarnRunChanged);
+    connect(this, &Document::fabricShown, &m_yarnRun, &YarnRun::clear);
+    connect(this, &Document::activityChanged, &m_yarnRun, [this] {
+        if (activity() == Activity::Settling) {
+            m_yarnRun.clear();
+        }
+    });
     connect(&m_ladders, &LadderRunner::stepped, this, &Document::takeLadderStep);
     connect(&m_prefixes, &PrefixBuilder::built, this,
             [this](const std::shared_ptr<const PrefixFabric>& prefix) {
@@ -318,6 +325,25 @@ void Document::stepSimulation() {
 }
 void Document::stop() {
     m_bridge.post(command::Stop{});
+}
+
+void Document::settleYarn() {
+    if (m_yarnRun.running()) {
+        m_yarnRun.stop();
+        return;
+    }
+    if (!m_whole || m_ladders.running()) {
+        return;
+    }
+    setStep(operationCount());
+    if (activity() == Activity::Settling) {
+        pause();
+    }
+    std::vector<yarn::Yarn> yarns;
+    for (const CarrierYarn& carrier : m_carriers) {
+        yarns.push_back(carrier.yarn);
+    }
+    m_yarnRun.start(m_whole, std::move(yarns));
 }
 
 void Document::restart() {

@@ -7,6 +7,7 @@
 #include "ui/document/prefix_builder.h"
 #include "ui/document/selection.h"
 #include "ui/document/simulation_bridge.h"
+#include "ui/document/yarn_run.h"
 
 #include <QObject>
 #include <QUndoStack>
@@ -118,6 +119,12 @@ public:
     /// Back to where the machine leaves the fabric; ladders that were taken out stay out.
     void restart();
 
+    /// The whole fabric as real yarn (the yarn model), in the background; the shape is gone as soon as
+    /// another fabric is shown or the simulation goes on.
+    const YarnRun& yarnRun() const { return m_yarnRun; }
+    /// Shows the end of the program, pauses the simulation and settles the yarn; while it runs: stops it.
+    void settleYarn();
+
     /// Pulls an entry of shownFabric() towards a point, mm; until releaseDrag().
     void drag(fabric::EntryIndex entry, Vec3 point);
     void releaseDrag();
@@ -139,6 +146,7 @@ signals:
     void integratorChanged();
     void generationChanged(); ///< load or restart: histories begin anew
     void ladderChanged();     ///< stitchHolder(), unstableLoops(), removedLoops() or laddersRun() changed
+    void yarnRunChanged();
     void nothingRuns();       ///< the answer to removeLadders() when there is nothing to remove
 
 private:
@@ -180,6 +188,7 @@ private:
     std::shared_ptr<const simulation::Frame> m_prefixFrame;
     SimulationBridge m_bridge;
     QString m_integrator;
+    YarnRun m_yarnRun;
     LadderRunner m_ladders;
     fabric::Runs m_runs; ///< of m_whole, or of the fabric before the ladder that runs
     std::size_t m_loopsGone = 0;

@@ -42,7 +42,7 @@ void SceneWorker::run() {
             m_next.reset();
         }
         deliver(job);
-        if (improve()) {
+        if (improve(job)) {
             deliver(job);
         }
     }
@@ -58,7 +58,10 @@ void SceneWorker::deliver(const Job& job) {
 }
 
 /// As long as nothing waits. Returns whether the picture differs and nothing waits.
-bool SceneWorker::improve() {
+bool SceneWorker::improve(const Job& job) {
+    if (job.curves) {
+        return false;
+    }
     const auto idle = [this] {
         const std::lock_guard lock(m_mutex);
         return !m_stop && !m_next;
@@ -81,6 +84,9 @@ std::shared_ptr<const SceneFrame> SceneWorker::prepare(const Job& job) {
         m_sceneFabric = job.fabric;
         m_sceneStyle = job.style;
         m_sceneDiameters = std::move(diameters);
+    }
+    if (job.curves && job.style != DrawStyle::Mesh) {
+        return m_scene->prepareCurves(*job.curves);
     }
     const std::size_t expected = 3 * static_cast<std::size_t>(job.fabric->entryCount);
     const bool fits = job.shape && job.shape->positions.size() == expected;

@@ -161,8 +161,10 @@ void MainWindow::connectFabric() {
     connect(&m_document, &Document::frameShown, this, [this] {
         m_fabric->setFollowing(m_document.step() == m_document.operationCount() && !m_document.laddersRun());
         m_fabric->setFrame(m_document.shownFrame());
+        takeYarnRun();
         m_status->setRenderer(m_fabric->hasOpenGl() ? m_fabric->rendererName() : tr("Qt, flat"));
     });
+    connect(&m_document, &Document::yarnRunChanged, this, &MainWindow::takeYarnRun);
     connect(&m_document, &Document::yarnsChanged, this,
             [this] { m_fabric->setLooks(looksOf(m_document.carriers())); });
     connect(&m_document, &Document::selectionChanged, this, [this] {
@@ -185,6 +187,12 @@ void MainWindow::connectFabric() {
     connect(m_fabric, &FabricView::dragEnded, &m_document, &Document::releaseDrag);
     connect(m_fabric, &FabricView::glFailed, this,
             [this](const QString& reason) { m_banner->showMessage(Banner::Kind::Note, reason); });
+}
+
+void MainWindow::takeYarnRun() {
+    const auto shape = m_document.yarnRun().shape();
+    const bool shown = shape && shape->fabric == m_document.shownFabric();
+    m_fabric->setCurves(shown ? shape->curves : nullptr);
 }
 
 void MainWindow::openFile(const QString& path) {

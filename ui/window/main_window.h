@@ -60,6 +60,7 @@ private:
     void takeFailure();
     void startSoon();
     void takeFabric();
+    void takeYarnRun();
     void takeProblems();
     void showPlace(const Diagnostic& problem);
     void showLine(int line);

@@ -227,6 +227,12 @@ void MainWindow::buildSimulateMenu() {
               [this] { m_document.restart(); });
     addAction(menu, "actionStop", tr("St&op"), Qt::SHIFT | Qt::Key_F5, "stop", [this] { m_document.stop(); });
     menu->addSeparator();
+    QAction* yarn = addAction(menu, "actionSettleYarn", tr("Settle as &yarn"), Qt::Key_Y, "style-yarn",
+                              [this] { m_document.settleYarn(); });
+    connect(&m_document, &document::Document::yarnRunChanged, yarn, [this, yarn] {
+        yarn->setText(m_document.yarnRun().running() ? tr("Stop the &yarn") : tr("Settle as &yarn"));
+    });
+    menu->addSeparator();
     QMenu* integrators = menu->addMenu(tr("&Integrator"));
     integrators->setToolTipsVisible(true);
     auto* group = new QActionGroup(this);

@@ -45,6 +45,7 @@ struct FabricView::Implementation {
     std::shared_ptr<const fabric::Fabric> fabric;      ///< wanted
     std::shared_ptr<const fabric::Fabric> shownFabric; ///< of content.scene
     std::shared_ptr<const simulation::Frame> frame;
+    std::shared_ptr<const geometry::YarnCurves> curves; ///< see setCurves()
     render::DrawStyle style = render::DrawStyle::Yarn;
     std::unique_ptr<Canvas> canvas;
     Overlay* overlay = nullptr;
@@ -137,7 +138,7 @@ void FabricView::Implementation::placeChildren() {
 
 void FabricView::Implementation::request() {
     if (fabric) {
-        worker.post({fabric, content.looks, style, frame});
+        worker.post({fabric, content.looks, style, frame, curves});
     }
 }
 
@@ -234,6 +235,7 @@ void FabricView::setFabric(std::shared_ptr<const fabric::Fabric> fabric,
     m->fabric = std::move(fabric);
     m->content.looks = std::move(looks);
     m->frame.reset();
+    m->curves.reset();
     m->selectedPoint = -1; // its number means another point now
     m->gesture = Implementation::Gesture::None;
     if (m->fabric) {
@@ -253,6 +255,14 @@ void FabricView::setFrame(std::shared_ptr<const simulation::Frame> frame) {
         m->fabric && frame && frame->positions.size() == 3 * static_cast<std::size_t>(m->fabric->entryCount);
     if (fits) {
         m->frame = std::move(frame);
+        m->curves.reset();
+        m->request();
+    }
+}
+
+void FabricView::setCurves(std::shared_ptr<const geometry::YarnCurves> curves) {
+    if (m->fabric && curves != m->curves) {
+        m->curves = std::move(curves);
         m->request();
     }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/fabric/fabric.h"
+#include "core/geometry/yarn_curve.h"
 #include "core/simulation/frame.h"
 #include "ui/render/look.h"
 
@@ -34,6 +35,10 @@ public:
 
     /// New positions. Frames whose position count does not match the fabric are ignored.
     void setFrame(std::shared_ptr<const simulation::Frame> frame);
+
+    /// The yarn itself instead of curves through bonding points, until the next frame or fabric; not in the
+    /// mesh style. `curves` are of the present fabric; null ends it.
+    void setCurves(std::shared_ptr<const geometry::YarnCurves> curves);
 
     /// Colours and surfaces by carrier; never touches the shape, except where a diameter changed.
     void setLooks(std::vector<render::YarnLook> looks);

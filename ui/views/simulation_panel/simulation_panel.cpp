@@ -3,6 +3,7 @@
 #include "ui/views/simulation_panel/activity_text.h"
 #include "ui/views/simulation_panel/energy_plot.h"
 #include "ui/views/simulation_panel/ladder_text.h"
+#include "ui/views/simulation_panel/yarn_run_text.h"
 #include "ui/views/style/icons.h"
 #include "ui/views/style/numbers.h"
 
@@ -35,9 +36,11 @@ SimulationPanel::SimulationPanel(document::Document& document, QWidget* parent)
     connect(&m_document, &document::Document::integratorChanged, this, &SimulationPanel::takeIntegrator);
     connect(&m_document, &document::Document::generationChanged, m_plot, &EnergyPlot::clear);
     connect(&m_document, &document::Document::ladderChanged, this, &SimulationPanel::takeLadders);
+    connect(&m_document, &document::Document::yarnRunChanged, this, &SimulationPanel::takeYarnRun);
     takeActivity();
     takeIntegrator();
     takeLadders();
+    takeYarnRun();
 }
 
 QToolButton* SimulationPanel::addButton(const char* name, const char* iconName, const QString& text,
@@ -72,6 +75,11 @@ void SimulationPanel::build() {
     }
     m_ladders = addButton("removeLadders", "ladder", tr("Remove ladders"), tr("Ctrl+L"));
     m_ladders->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_yarn = addButton("settleYarn", "style-yarn", tr("Settle as yarn"), tr("Y"));
+    m_yarn->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_yarnState = new QLabel(this);
+    m_yarnState->setObjectName(QStringLiteral("yarnState"));
+    m_yarnState->setWordWrap(true);
     m_holder = new QCheckBox(tr("Stitch holder"), this);
     m_holder->setObjectName(QStringLiteral("stitchHolder"));
     m_holder->setToolTip(tr("%1 (Ctrl+Shift+L)").arg(stitchHolderHelp()));
@@ -91,11 +99,15 @@ void SimulationPanel::build() {
     ladders->addWidget(m_ladders);
     ladders->addStretch(1);
     ladders->addWidget(m_holder);
+    auto* yarn = new QHBoxLayout;
+    yarn->addWidget(m_yarn);
+    yarn->addWidget(m_yarnState, 1);
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(8, 8, 8, 8);
     rows->setSpacing(6);
     rows->addLayout(buttons);
     rows->addWidget(m_integrator);
+    rows->addLayout(yarn);
     rows->addLayout(ladders);
     rows->addWidget(m_plot, 1);
     rows->addWidget(m_numbers);
@@ -104,6 +116,7 @@ void SimulationPanel::build() {
     connect(m_step, &QToolButton::clicked, &m_document, &document::Document::stepSimulation);
     connect(m_restart, &QToolButton::clicked, &m_document, &document::Document::restart);
     connect(m_stop, &QToolButton::clicked, &m_document, &document::Document::stop);
+    connect(m_yarn, &QToolButton::clicked, &m_document, &document::Document::settleYarn);
     connect(m_ladders, &QToolButton::clicked, &m_document, &document::Document::removeLadders);
     connect(m_holder, &QCheckBox::toggled, &m_document, &document::Document::setStitchHolder);
     connect(m_integrator, &QComboBox::currentIndexChanged, this,
@@ -121,7 +134,7 @@ void SimulationPanel::toggleRunning() {
 void SimulationPanel::takeActivity() {
     const bool open = m_document.file() != nullptr;
     for (QWidget* control :
-         std::initializer_list<QWidget*>{m_run, m_step, m_restart, m_stop, m_ladders, m_holder}) {
+         std::initializer_list<QWidget*>{m_run, m_step, m_restart, m_stop, m_yarn, m_ladders, m_holder}) {
         control->setEnabled(open);
     }
     const QString run = running() ? tr("Pause") : tr("Start");
@@ -178,6 +191,17 @@ void SimulationPanel::takeLadders() {
     const QSignalBlocker quiet(m_holder);
     m_holder->setChecked(m_document.stitchHolder());
     m_holder->setEnabled(m_document.file() && !running);
+}
+
+void SimulationPanel::takeYarnRun() {
+    const document::YarnRun& run = m_document.yarnRun();
+    const QString text = run.running() ? tr("Stop the yarn") : tr("Settle as yarn");
+    m_yarn->setText(text);
+    m_yarn->setAccessibleName(text);
+    m_yarn->setToolTip(run.running() ? tr("Keeps the shape that the yarn has reached (Y)")
+                                     : tr("%1 (Y)").arg(settleYarnHelp()));
+    m_yarnState->setText(yarnRunText(run));
+    m_yarnState->setToolTip(yarnRunDetails(run));
 }
 
 void SimulationPanel::changeEvent(QEvent* event) {

@@ -30,6 +30,7 @@ private:
     void takeFrame();
     void takeIntegrator();
     void takeLadders();
+    void takeYarnRun();
     bool running() const { return m_document.activity() == document::Activity::Settling; }
     void changeEvent(QEvent* event) override;
 
@@ -41,6 +42,8 @@ private:
     QToolButton* m_restart = nullptr;
     QToolButton* m_stop = nullptr;
     QComboBox* m_integrator = nullptr;
+    QToolButton* m_yarn = nullptr;
+    QLabel* m_yarnState = nullptr;
     QToolButton* m_ladders = nullptr;
     QCheckBox* m_holder = nullptr;
     QLabel* m_numbers = nullptr;

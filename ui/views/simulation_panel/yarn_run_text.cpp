@@ -1,0 +1,72 @@
+#include "ui/views/simulation_panel/yarn_run_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace knittsim::ui {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("YarnRun", text);
+}
+
+QString millimetres(double value, int decimals) {
+    return QLocale().toString(value, 'f', decimals);
+}
+
+bool atRest(const document::YarnShape& shape) {
+    return shape.finished && physics::isAtRest(shape.verdict);
+}
+
+} // namespace
+
+QString yarnRunText(const document::YarnRun& run) {
+    const auto shape = run.shape();
+    if (!run.problem().isEmpty()) {
+        return run.problem();
+    }
+    if (run.running()) {
+        return !shape           ? tr("Laying the yarn")
+               : shape->growing ? tr("The yarn grows")
+                                : tr("Settling, step %1").arg(shape->steps);
+    }
+    if (!shape) {
+        return {};
+    }
+    if (!atRest(*shape)) {
+        return tr("Stopped");
+    }
+    return tr("%1 \u00d7 %2 mm a stitch")
+        .arg(millimetres(shape->measured.waleSpacingMm, 2), millimetres(shape->measured.courseSpacingMm, 2));
+}
+
+QString yarnRunDetails(const document::YarnRun& run) {
+    const auto shape = run.shape();
+    if (run.running() || !shape || !shape->finished) {
+        return {};
+    }
+    const geometry::Measurement& size = shape->measured;
+    QString text = tr("At rest: wale spacing %1 mm, course spacing %2 mm, %3 \u00d7 %4 mm")
+                       .arg(millimetres(size.waleSpacingMm, 3), millimetres(size.courseSpacingMm, 3),
+                            millimetres(size.widthMm, 1), millimetres(size.heightMm, 1));
+    const simulation::YarnAudit& audit = shape->audit;
+    text += u'\n' + (audit.coreOverlaps == 0 ? tr("No yarn is inside another")
+                                             : tr("%1 places where yarns overlap").arg(audit.coreOverlaps));
+    if (audit.cutCorners > 0) {
+        text += u'\n' + tr("At %1 places a yarn may have passed another").arg(audit.cutCorners);
+    }
+    if (!audit.pullThroughs.empty()) {
+        text += u'\n' + tr("%1 stitches lie so that their topology cannot be read off the shape")
+                            .arg(audit.pullThroughs.size());
+    }
+    return text;
+}
+
+QString settleYarnHelp() {
+    return tr(
+        "Settle the whole fabric as real yarn, with thickness, bending and friction; some seconds for a "
+        "thousand stitches");
+}
+
+} // namespace knittsim::ui

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "ui/document/yarn_run.h"
+
+#include <QString>
+
+namespace knittsim::ui {
+
+/// One short line: how far the yarn is, or what has come out.
+QString yarnRunText(const document::YarnRun& run);
+
+/// Sizes and audit of a finished run, for a tooltip; else empty.
+QString yarnRunDetails(const document::YarnRun& run);
+
+QString settleYarnHelp();
+
+} // namespace knittsim::ui
