@@ -71,6 +71,17 @@ private slots:
         QVERIFY(child<QLabel>("statusEnergy")->text().startsWith("V "));
     }
 
+    void settlesTheYarnItself() {
+        openSample("plain");
+        QTest::keyClick(m_window.get(), Qt::Key_Y);
+        QTRY_COMPARE(child<QToolButton>("settleYarn")->text(), QString("Stop the yarn"));
+        QTRY_VERIFY_WITH_TIMEOUT(document().yarnRun().shape(), 60000);
+        QTRY_VERIFY(!child<QLabel>("yarnState")->text().isEmpty());
+        QTest::mouseClick(child<QToolButton>("settleYarn"), Qt::LeftButton);
+        QCOMPARE(child<QToolButton>("settleYarn")->text(), QString("Settle as yarn"));
+        QCOMPARE(child<QLabel>("yarnState")->text(), QString("Stopped"));
+    }
+
     void aClickOnACellSelectsTheStitchEverywhere() {
         openSample("plain");
         auto* grid = child<PatternGrid>("patternGrid");
