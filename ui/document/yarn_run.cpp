@@ -3,7 +3,6 @@
 #include "ui/document/mailbox.h"
 
 #include <QElapsedTimer>
-#include <QThreadPool>
 
 #include <functional>
 #include <utility>
@@ -54,7 +53,9 @@ QString settle(const std::shared_ptr<const fabric::Fabric>& fabric, const std::v
 
 } // namespace
 
-YarnRun::YarnRun(QObject* parent) : QObject(parent), m_mailbox(std::make_shared<Mailbox>(this)) {}
+YarnRun::YarnRun(QObject* parent) : QObject(parent), m_mailbox(std::make_shared<Mailbox>(this)) {
+    m_pool.setMaxThreadCount(1);
+}
 
 YarnRun::~YarnRun() {
     if (m_cancelled) {
@@ -68,8 +69,8 @@ void YarnRun::start(std::shared_ptr<const fabric::Fabric> fabric, std::vector<ya
     m_problem.clear();
     m_cancelled = std::make_shared<std::atomic<bool>>(false);
     emit changed();
-    QThreadPool::globalInstance()->start([this, fabric = std::move(fabric), yarns = std::move(yarns),
-                                          run = m_cancelled, mailbox = m_mailbox] {
+    m_pool.start([this, fabric = std::move(fabric), yarns = std::move(yarns), run = m_cancelled,
+                  mailbox = m_mailbox] {
         const std::function<bool()> cancelled = [&run] { return run->load(); };
         const QString problem = settle(fabric, yarns, cancelled, [&](std::shared_ptr<const YarnShape> shape) {
             mailbox->post([this, run, shape = std::move(shape)] { take(run, shape); });

@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QThreadPool>
 
 #include <atomic>
 #include <memory>
@@ -59,6 +60,7 @@ private:
     Flag m_cancelled; ///< of the run at hand; null when none is
     std::shared_ptr<const YarnShape> m_shape;
     QString m_problem;
+    QThreadPool m_pool; ///< of one thread: opening a file does not wait for it; last: it waits for its run
 };
 
 } // namespace knittsim::document
