@@ -47,6 +47,7 @@ constexpr float kArcLeast = 0.35F; ///< diameters
 
 constexpr double kSteepCourses = 0.75; ///< a float that rises by more runs up the selvedge
 constexpr double kBesideEdge = 0.1;    ///< pitches
+constexpr double kLeastRoom = 0.32;    ///< courses, about a seventeenth of a loop
 constexpr double kTallCourses = 10;
 constexpr double kFarPitches = 1.2; ///< corners farther apart across are joined by a float or a long leg
 
@@ -56,9 +57,20 @@ float sideSign(fabric::Side side) {
 
 } // namespace
 
+/// Thin yarn is laid as if it were thicker: strands that pass each other have to differ by something that
+/// counts beside the loops.
+std::vector<double> CurvePlanner::roomFor(const fabric::Fabric& fabric, std::span<const double> diameterMm) {
+    std::vector<double> room(diameterMm.begin(), diameterMm.end());
+    for (double& d : room) {
+        d = std::max(d, kLeastRoom * fabric.courseMm);
+    }
+    return room;
+}
+
 CurvePlanner::CurvePlanner(const fabric::Fabric& fabric, std::span<const double> diameterMm, CurvePlan& plan)
-    : m_fabric(fabric), m_diameterMm(diameterMm), m_plan(plan), m_depths(orderStrands(fabric, diameterMm)),
-      m_levels(fabric::passLevels(fabric)), m_wales(fabric::walePlaces(fabric).made) {}
+    : m_fabric(fabric), m_diameterMm(roomFor(fabric, diameterMm)), m_plan(plan),
+      m_depths(orderStrands(fabric, m_diameterMm)), m_levels(fabric::passLevels(fabric)),
+      m_wales(fabric::walePlaces(fabric).made) {}
 
 void CurvePlanner::run() {
     m_plan.m_pointOfControl.reserve(m_fabric.points.size() * 3);

@@ -31,6 +31,7 @@ private:
         bool beginsLeg() const { return kind == Kind::Foot || kind == Kind::Base; }
     };
 
+    static std::vector<double> roomFor(const fabric::Fabric& fabric, std::span<const double> diameterMm);
     void collectStations(const fabric::Yarn& yarn);
     Station stationAt(fabric::PointIndex p) const;
     Station baseOf(const Station& onLeg, fabric::PointIndex owner) const;
@@ -73,7 +74,7 @@ private:
     void addReach(const Station& near, const Station& far, const Station& owner, float out);
 
     const fabric::Fabric& m_fabric;
-    std::span<const double> m_diameterMm;
+    std::vector<double> m_diameterMm; ///< by carrier, see roomFor()
     CurvePlan& m_plan;
     std::vector<StrandDepth> m_depths;
     std::vector<float> m_levels;            ///< by loop, see passLevels()

@@ -21,8 +21,8 @@ public:
         std::shared_ptr<const fabric::Fabric> fabric; ///< not null
         std::vector<YarnLook> looks;
         DrawStyle style = DrawStyle::Yarn;
-        std::shared_ptr<const simulation::Frame> shape;     ///< null, or foreign: as the machine leaves it
-        std::shared_ptr<const geometry::YarnCurves> curves; ///< if given, instead of `shape`; not for Mesh
+        std::shared_ptr<const simulation::Frame> shape;       ///< null, or foreign: as the machine leaves it
+        std::shared_ptr<const geometry::YarnCurves> curves{}; ///< if given, instead of `shape`; not for Mesh
     };
     struct Picture {
         std::shared_ptr<const fabric::Fabric> fabric;

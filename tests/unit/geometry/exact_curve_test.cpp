@@ -90,6 +90,22 @@ TEST(ExactCurve, EveryProgramFromAMachineHasTheCrossingsThatItsBooksName) {
     }
 }
 
+TEST(ExactCurve, ThinYarnCrossesTheSame) {
+    for (const char* name : {"plain", "lace", "transfer-demo", "racked-rib", "tube"}) {
+        const auto program =
+            formats::readProgram(std::string(KNITTSIM_SOURCE_DIR) + "/resources/patterns/" + name + ".k");
+        ASSERT_TRUE(program) << name;
+        const fabric::Fabric f = fabric::buildFabric({program.value(), machine::genericProfile()});
+        std::vector<double> thin = diametersFor(f);
+        for (double& d : thin) {
+            d *= 0.1;
+        }
+        const CurveReport report = inspectCurves(f, buildMachineCurves(f, thin), thin);
+        EXPECT_TRUE(report.crossings.faults.empty()) << name;
+        EXPECT_TRUE(report.certificate.holds()) << name;
+    }
+}
+
 TEST(ExactCurve, PlainKnitIsAsLongAsItsYarn) {
     const CurveReport report = exact(test::knit("ffffffffffff", 12)).report;
     EXPECT_GT(report.spans, 500U);
