@@ -22,12 +22,11 @@ using machine::Waiver;
 
 struct CheckOptions {
     std::vector<std::string> files;
-    std::string profile;
+    std::string machine;
     std::vector<std::string> off; ///< RULE=REASON
-    bool json = false;
-    bool sarif = false;
+    std::string format = "text";
     bool rules = false;
-    bool profiles = false;
+    bool machines = false;
 };
 
 void print(const Diagnostics& diagnostics) {
@@ -66,7 +65,7 @@ std::optional<Outcome> checkFile(const std::string& file, const CheckOptions& op
     Diagnostics findings = program.diagnostics();
     std::vector<Waiver> waivers = wanted;
     if (program) {
-        auto profile = machine::chooseProfile(program.value(), library, options.profile);
+        auto profile = machine::chooseProfile(program.value(), library, options.machine);
         if (!profile) {
             print(profile.diagnostics());
             return std::nullopt;
@@ -95,7 +94,7 @@ int runCheck(const CheckOptions& options) {
     if (options.rules) {
         return listRules();
     }
-    if (options.profiles) {
+    if (options.machines) {
         return listProfiles(library);
     }
     if (options.files.empty()) {
@@ -124,9 +123,9 @@ int runCheck(const CheckOptions& options) {
         code = std::max(code, own);
         checked.push_back(std::move(outcome->checked));
     }
-    if (options.json) {
+    if (options.format == "json") {
         fmt::print("{}", machine::toJson(checked));
-    } else if (options.sarif) {
+    } else if (options.format == "sarif") {
         fmt::print("{}", machine::toSarif(checked, KNITTSIM_VERSION));
     } else {
         for (const CheckedFile& file : checked) {
@@ -142,16 +141,17 @@ void addCheck(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<CheckOptions>();
     CLI::App* command = app.add_subcommand("check", "Find what will go wrong on the machine");
     command->add_option("files", options->files, "machine files");
-    command->add_option("--profile", options->profile,
+    command->add_option("--machine", options->machine,
                         "ID of the machine; else what ';;Machine:' of the file names");
     command
         ->add_option("--off", options->off,
                      "RULE=REASON: this rule (id or name) does not count; the reason is kept in the output")
         ->allow_extra_args(false);
-    CLI::Option* json = command->add_flag("--json", options->json, "print JSON");
-    command->add_flag("--sarif", options->sarif, "print SARIF 2.1.0")->excludes(json);
+    command->add_option("--format", options->format, "text, json or sarif (2.1.0)")
+        ->check(CLI::IsMember({"text", "json", "sarif"}))
+        ->capture_default_str();
     command->add_flag("--rules", options->rules, "list the rules");
-    command->add_flag("--profiles", options->profiles, "list the machines");
+    command->add_flag("--machines", options->machines, "list the machines");
     command->callback([&chosen, options] { chosen = [options] { return runCheck(*options); }; });
 }
 

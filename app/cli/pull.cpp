@@ -23,7 +23,7 @@ constexpr int kNodesPerLoop = 36;
 struct PullCommandOptions {
     LoadOptions load;
     PeriodicOptions periodic;
-    std::string along = "courses";
+    std::string axis = "courses";
     double strain = 0.6;
     int steps = 20;
     std::string csv;
@@ -56,7 +56,7 @@ nlohmann::ordered_json toJson(const PullCommandOptions& options, const PeriodicC
                           {"back", p.back}});
     }
     return {{"file", options.load.file},
-            {"along", options.along},
+            {"axis", options.axis},
             {"repeat_wales", settled.found.repeat.pattern.wales},
             {"repeat_courses", settled.found.repeat.pattern.courses},
             {"friction", settled.rod.friction},
@@ -76,7 +76,7 @@ void printText(const nlohmann::ordered_json& r) {
     };
     fmt::print("{}: a repeat of {} wales x {} courses, drawn along {}, friction {:.2f}\n",
                r["file"].get<std::string>(), r["repeat_wales"].get<int>(), r["repeat_courses"].get<int>(),
-               r["along"].get<std::string>(), number(r, "friction"));
+               r["axis"].get<std::string>(), number(r, "friction"));
     fmt::print("      strain    N/mm  width mm  height mm\n");
     for (const auto& p : r["points"]) {
         fmt::print("  {:4} {:5.3f} {:7.4f} {:9.3f} {:10.3f}\n", p["back"].get<bool>() ? "back" : "",
@@ -116,7 +116,7 @@ int runPull(const PullCommandOptions& options) {
         return kProblems;
     }
     physics::PullOptions pull;
-    pull.side = options.along == "courses" ? physics::CellLoadTerm::Width : physics::CellLoadTerm::Height;
+    pull.side = options.axis == "courses" ? physics::CellLoadTerm::Width : physics::CellLoadTerm::Height;
     pull.strain = options.strain;
     pull.steps = options.steps;
     pull.relax = relaxOptions(options.periodic, deadline);
@@ -142,7 +142,7 @@ void addPull(CLI::App& app, Command& chosen) {
     CLI::App* command =
         app.add_subcommand("pull", "Draw one repeat of knit and purl longer and back, in the yarn model");
     command->add_option("file", options->load.file, "machine file")->required();
-    command->add_option("--along", options->along, "direction of the pull")
+    command->add_option("--axis", options->axis, "direction of the pull")
         ->check(CLI::IsMember({"wales", "courses"}))
         ->capture_default_str();
     command->add_option("--strain", options->strain, "largest strain")

@@ -52,9 +52,9 @@ says "rib.k: 0 errors"
 # A rule turned off does not count, and its reason is kept.
 expect 0 "$programs/broken/same-bed.k" --off "KS0207=tried on the machine"
 says "turned off: tried on the machine"
-expect 0 "$programs/broken/same-bed.k" --off "same-bed=by its name" --json
+expect 0 "$programs/broken/same-bed.k" --off "same-bed=by its name" --format json
 says '"off_reason": "by its name"'
-expect 0 "$programs/broken/same-bed.k" --off "KS0207=kept in SARIF" --sarif
+expect 0 "$programs/broken/same-bed.k" --off "KS0207=kept in SARIF" --format sarif
 says '"justification": "kept in SARIF"'
 expect 2 "$programs/broken/same-bed.k" --off KS0207
 says "KS0244"
@@ -62,15 +62,15 @@ expect 2 "$programs/broken/same-bed.k" --off "nonsense=why"
 says "KS0008"
 
 # The machine of the header, another one, one of the user.
-expect 0 "$programs/sound/rows.k" --profile kniterate
+expect 0 "$programs/sound/rows.k" --machine kniterate
 says "(machine kniterate)"
 says "KS0215"
-expect 2 "$programs/sound/rows.k" --profile none
+expect 2 "$programs/sound/rows.k" --machine none
 says "generic-e15, kniterate, shima-swg, stoll-cms"
 KNITTSIM_MACHINES=$profiles
-expect 0 "$programs/sound/rows.k" --profile interpreter
+expect 0 "$programs/sound/rows.k" --machine interpreter
 says "(machine interpreter)"
-expect 0 --profiles
+expect 0 --machines
 says "interpreter"
 
 expect 0 --rules

@@ -109,7 +109,7 @@ def interpreter_findings(path):
 
 
 def our_findings(cli, profiles, files):
-    run = subprocess.run([cli, "check", "--json", "--profile", "interpreter", *map(str, files)],
+    run = subprocess.run([cli, "check", "--format", "json", "--machine", "interpreter", *map(str, files)],
                          env={**os.environ, "KNITTSIM_MACHINES": profiles}, stdout=subprocess.PIPE, check=False)
     report = json.loads(run.stdout)
     return {f["file"]: [(x["line"], x["rule"]) for x in f["findings"]] for f in report["files"]}
