@@ -17,6 +17,7 @@ using fabric::PointIndex;
 using geometry::YarnCurves;
 using physics::Entry;
 
+constexpr float kDeepest = 1.1F;    ///< diameters, for shading
 constexpr int kSamples = 6;         ///< of the curve between two control points
 constexpr double kLeastYarn = 0.3;  ///< of its share of the curve: spans with hardly any yarn
 constexpr double kLeastDepth = 0.5; ///< stretch along the third axis
@@ -352,8 +353,17 @@ YarnCurves curvesOf(const FabricYarns& yarns, const physics::Vector& x) {
             curves.nodes.push_back(place.cast<float>());
             curves.arc.push_back(static_cast<float>(arc));
             curves.normal.emplace_back(0.0F, 0.0F, 1.0F);
-            curves.height.push_back(curves.nodes.back().z());
         }
+    }
+    // What lies deep is dark; a thick fabric is not black for that.
+    float most = 0;
+    for (const Vec3f& node : curves.nodes) {
+        most = std::max(most, std::abs(node.z()));
+    }
+    const float deepest = kDeepest * static_cast<float>(yarns.units.lengthMm);
+    const float share = most > deepest ? deepest / most : 1;
+    for (const Vec3f& node : curves.nodes) {
+        curves.height.push_back(share * node.z());
     }
     return curves;
 }
