@@ -1,13 +1,12 @@
 #pragma once
 
+#include "app/cli/deadline.h"
 #include "app/cli/load.h"
 #include "core/physics/yarn_model/fabric_repeat.h"
 #include "core/physics/yarn_model/yarn_units.h"
 
 #include <CLI/App.hpp>
 
-#include <chrono>
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -23,26 +22,6 @@ struct PeriodicOptions {
 
 /// --friction and --set.
 void addYarnPhysics(CLI::App& command, std::optional<double>& friction, double& set);
-
-/// Says when the time is over.
-class Deadline {
-public:
-    explicit Deadline(double mostSeconds)
-        : m_start(std::chrono::steady_clock::now()), m_mostSeconds(mostSeconds),
-          m_late([this] { return seconds() > m_mostSeconds; }) {}
-    Deadline(const Deadline&) = delete;
-    Deadline& operator=(const Deadline&) = delete;
-
-    double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
-    }
-    const std::function<bool()>& late() const { return m_late; }
-
-private:
-    std::chrono::steady_clock::time_point m_start;
-    double m_mostSeconds;
-    std::function<bool()> m_late;
-};
 
 /// The repeat of a fabric, settled in the yarn model.
 struct PeriodicCell {

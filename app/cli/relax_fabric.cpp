@@ -1,6 +1,7 @@
 #include "app/cli/relax_fabric.h"
 
 #include "app/cli/commands.h"
+#include "app/cli/deadline.h"
 #include "app/cli/verdict_text.h"
 #include "core/base/file.h"
 #include "core/base/message_table.h"
@@ -10,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <ctime>
 
 namespace knittsim::cli {
@@ -138,12 +138,8 @@ bool writeState(const std::string& path, const Loaded& loaded, std::span<const f
 }
 
 int relaxFabric(const Loaded& loaded, const FabricYarnOptions& options) {
-    const auto start = std::chrono::steady_clock::now();
+    const Deadline deadline(options.maxSeconds);
     const std::clock_t cpuStart = std::clock();
-    const auto seconds = [&] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    };
-    const std::function<bool()> late = [&] { return seconds() > options.maxSeconds; };
     YarnSettling::Options settings;
     settings.residual = options.until;
     settings.onTable = !options.free;
@@ -155,7 +151,7 @@ int relaxFabric(const Loaded& loaded, const FabricYarnOptions& options) {
         fmt::print(stderr, "--model yarn: {}\n", settling.problem());
         return kUnusable;
     }
-    while (settling.step(physics::Interrupt(&late))) {
+    while (settling.step(physics::Interrupt(&deadline.late()))) {
     }
     const std::vector<float> positions =
         simulation::entryPositions(*loaded.fabric, settling.yarns(), settling.shape());
@@ -163,7 +159,7 @@ int relaxFabric(const Loaded& loaded, const FabricYarnOptions& options) {
     nlohmann::ordered_json result =
         report(loaded, settling, geometry::measure(*loaded.fabric, positions, region),
                geometry::measure(*loaded.fabric, positions), settings.integrator);
-    result["wall_seconds"] = seconds();
+    result["wall_seconds"] = deadline.seconds();
     result["cpu_seconds"] = static_cast<double>(std::clock() - cpuStart) / CLOCKS_PER_SEC;
     const YarnAudit audit = settling.audit();
     addAudit(result, loaded, audit);

@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/cli/deadline.h"
 #include "app/cli/load.h"
 #include "core/base/message_table.h"
 #include "core/simulation/simulation.h"
@@ -7,7 +8,6 @@
 
 #include <fmt/core.h>
 
-#include <chrono>
 #include <cstdio>
 #include <functional>
 #include <map>
@@ -51,16 +51,13 @@ std::vector<float> settledPositions(const Loaded& loaded, double maxSeconds) {
 
 /// Curves of the yarn model at rest on a table.
 std::optional<geometry::YarnCurves> settledCurves(const Loaded& loaded, double maxSeconds) {
-    const auto start = std::chrono::steady_clock::now();
-    const std::function<bool()> late = [&] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > maxSeconds;
-    };
+    const Deadline deadline(maxSeconds);
     simulation::YarnSettling settling(*loaded.fabric, loaded.yarns, {});
     if (*settling.problem() != '\0') {
         fmt::print(stderr, "--relax yarn: {}\n", settling.problem());
         return std::nullopt;
     }
-    while (settling.step(physics::Interrupt(&late))) {
+    while (settling.step(physics::Interrupt(&deadline.late()))) {
     }
     return settling.curves();
 }

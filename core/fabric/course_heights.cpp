@@ -22,6 +22,12 @@ double plainHeight(const Fabric& fabric) {
 
 } // namespace
 
+LoopIndex latestLoop(const Fabric& fabric, OperationIndex operation) {
+    const auto& made = fabric.made.loops;
+    const auto after = std::ranges::upper_bound(made, operation, {}, &machine::Loop::operation);
+    return static_cast<LoopIndex>(std::max<std::ptrdiff_t>(1, after - made.begin())) - 1;
+}
+
 CourseHeights::CourseHeights(const Fabric& fabric)
     : m_courseMm(plainHeight(fabric)), m_bottom(static_cast<std::size_t>(fabric.courseCount) + 1, 0) {
     std::vector<double> factor(static_cast<std::size_t>(fabric.courseCount), 1);

@@ -6,6 +6,9 @@
 
 namespace knittsim::fabric {
 
+/// The last loop that the machine had made after an operation; the first one before there was any.
+LoopIndex latestLoop(const Fabric& fabric, OperationIndex operation);
+
 /// Where the courses of a fabric lie on the machine, mm above the first.
 class CourseHeights {
 public:

@@ -176,9 +176,7 @@ private:
     /// Where the machine was, in the course that was made then, between the ends of the float.
     void wishOnFloat(PointIndex p, double fromY, double toY) {
         const Crossing& crossing = m_fabric.crossings[static_cast<std::size_t>(point(p).crossing)];
-        const auto& loops = m_fabric.made.loops;
-        const auto after = std::ranges::upper_bound(loops, crossing.operation, {}, &machine::Loop::operation);
-        const auto latest = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, after - loops.begin())) - 1;
+        const auto latest = static_cast<std::size_t>(latestLoop(m_fabric, crossing.operation));
         const double level = m_fabric.loops[latest].course + static_cast<double>(m_level[latest]);
         m_wish[static_cast<std::size_t>(p)] = {
             static_cast<double>(crossing.place) * m_fabric.pitchMm,

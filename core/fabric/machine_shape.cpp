@@ -12,14 +12,6 @@ namespace {
 
 constexpr double kGapInCourses = 0.6;
 
-/// The course that the machine was at.
-std::int32_t courseAt(const Fabric& fabric, OperationIndex operation) {
-    const auto& made = fabric.made.loops;
-    const auto after = std::ranges::upper_bound(made, operation, {}, &machine::Loop::operation);
-    const auto latest = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, after - made.begin())) - 1;
-    return fabric.loops[latest].course;
-}
-
 /// By loop: how high its heads lie, in courses. A held loop stretches up to the loop that comes through it,
 /// or above the last yarn that passed it.
 std::vector<std::int32_t> topCourses(const Fabric& fabric) {
@@ -35,7 +27,8 @@ std::vector<std::int32_t> topCourses(const Fabric& fabric) {
         }
     }
     for (const Crossing& crossing : fabric.crossings) {
-        const std::int32_t met = courseAt(fabric, crossing.operation);
+        const auto latest = static_cast<std::size_t>(latestLoop(fabric, crossing.operation));
+        const std::int32_t met = fabric.loops[latest].course;
         for (const PointIndex p : {crossing.over, crossing.under}) {
             const BondingPoint& point = fabric.points[static_cast<std::size_t>(p)];
             const auto loop = static_cast<std::size_t>(point.loop);

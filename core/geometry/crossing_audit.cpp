@@ -369,13 +369,13 @@ private:
             {std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::min()});
         for (std::size_t i = 0; i < crossings.size(); ++i) {
             for (const std::int32_t node : {crossings[i].over, crossings[i].under}) {
-                auto& [first, last] = explained[yarnAt(node)];
+                auto& [first, last] = explained[yarnAt(m_curves, node)];
                 first = m_audit.order[i] != 0 ? std::min(first, node) : first;
                 last = m_audit.order[i] != 0 ? std::max(last, node) : last;
             }
         }
         const auto slidesOff = [&](std::int32_t node) {
-            const auto& [first, last] = explained[yarnAt(node)];
+            const auto& [first, last] = explained[yarnAt(m_curves, node)];
             return node < first || node > last;
         };
         for (const Event* e : m_unexplained) {
@@ -384,11 +384,6 @@ private:
                 m_audit.faults.push_back({CrossingFault::Kind::Unexplained, e->a, e->b, e->node});
             }
         }
-    }
-
-    std::size_t yarnAt(std::int32_t node) const {
-        const auto after = std::ranges::upper_bound(m_curves.yarns, node, {}, &YarnCurves::Range::first);
-        return static_cast<std::size_t>(after - m_curves.yarns.begin()) - 1;
     }
 
     /// Takes out one of `events`, sorted by place, of two strands near these points.

@@ -87,20 +87,15 @@ std::size_t YarnCurveBuilder::raise(const std::vector<ProjectedCrossing>& crossi
     return wrong;
 }
 
-std::size_t YarnCurveBuilder::yarnAt(std::int32_t node) const {
-    const auto after = std::ranges::upper_bound(m_curves.yarns, node, {}, &YarnCurves::Range::first);
-    return static_cast<std::size_t>(after - m_curves.yarns.begin()) - 1;
-}
-
 /// The control point at a node, or the one before it.
 std::size_t YarnCurveBuilder::controlAt(std::int32_t node) const {
-    const std::size_t yarn = yarnAt(node);
+    const std::size_t yarn = yarnAt(m_curves, node);
     const auto within = static_cast<std::size_t>(node - m_curves.yarns[yarn].first);
     return static_cast<std::size_t>(m_plan.yarns()[yarn].first) + within / m_weights.size();
 }
 
 float YarnCurveBuilder::diameterAt(std::int32_t node) const {
-    const machine::CarrierIndex carrier = m_curves.yarns[yarnAt(node)].carrier;
+    const machine::CarrierIndex carrier = m_curves.yarns[yarnAt(m_curves, node)].carrier;
     return carrier < m_diameterMm.size() ? static_cast<float>(m_diameterMm[carrier]) : 0.3F;
 }
 

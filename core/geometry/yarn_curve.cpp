@@ -95,6 +95,11 @@ void YarnCurveBuilder::measureArc() {
     }
 }
 
+std::size_t yarnAt(const YarnCurves& curves, std::int32_t node) {
+    const auto after = std::ranges::upper_bound(curves.yarns, node, {}, &YarnCurves::Range::first);
+    return static_cast<std::size_t>(after - curves.yarns.begin()) - 1;
+}
+
 std::vector<double> spanLengths(const YarnCurves& curves) {
     std::vector<double> length;
     for (const YarnCurves::Range& yarn : curves.yarns) {

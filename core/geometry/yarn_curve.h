@@ -38,6 +38,9 @@ struct CurveOptions {
 YarnCurves buildYarnCurves(const fabric::Fabric& fabric, std::span<const float> positions,
                            std::span<const double> diameterMm, const CurveOptions& options = {});
 
+/// Index into `yarns` of the yarn that a node lies on.
+std::size_t yarnAt(const YarnCurves& curves, std::int32_t node);
+
 /// By bonding point, mm: of the curve from it to the next one of its yarn. As long as the last point drawn.
 std::vector<double> spanLengths(const YarnCurves& curves);
 

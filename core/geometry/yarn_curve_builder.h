@@ -36,7 +36,6 @@ public:
 private:
     void fitLengths(std::span<const float> positions);
     std::size_t raise(const std::vector<ProjectedCrossing>& crossings, const std::vector<std::int8_t>& order);
-    std::size_t yarnAt(std::int32_t node) const;
     std::size_t controlAt(std::int32_t node) const;
     float diameterAt(std::int32_t node) const;
     void sample(std::size_t firstControl, std::size_t lastControl);

@@ -17,11 +17,13 @@ constexpr double kMostDamping = 1e3;
 } // namespace
 
 void ImplicitSteps::initialise(System& model, const Motion& /*motion*/) {
-    if (m_model != &model) {
-        m_model = &model;
-        m_damping = kFirstDamping * model.stiffnessScale() / model.mass().mean();
-        m_preconditioner = model.makePreconditioner();
-    }
+    m_model = &model;
+    m_damping = kFirstDamping * model.stiffnessScale() / model.mass().mean();
+    m_preconditioner = model.makePreconditioner();
+    m_fresh = true;
+}
+
+void ImplicitSteps::forcesChanged(System& /*model*/, const Motion& /*motion*/) {
     m_fresh = true;
 }
 

@@ -11,6 +11,7 @@ namespace knittsim::physics {
 class ImplicitSteps final : public Integrator {
 public:
     void initialise(System& model, const Motion& motion) override;
+    void forcesChanged(System& model, const Motion& motion) override; ///< keeps the step size
     StepReport step(Motion& motion, const Interrupt& interrupt) override;
     bool takesLargeSteps() const override { return true; }
 

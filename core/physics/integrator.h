@@ -56,6 +56,10 @@ public:
     /// outside. The model must outlive the integrator or the next call.
     virtual void initialise(System& model, const Motion& motion) = 0;
 
+    /// Another term of the same model has changed, not the motion: an integrator may keep what it has
+    /// learned.
+    virtual void forcesChanged(System& model, const Motion& motion) { initialise(model, motion); }
+
     /// Moves on from where the last step left `motion`.
     virtual StepReport step(Motion& motion, const Interrupt& interrupt) = 0;
 

@@ -40,7 +40,7 @@ void YarnRelaxation::grow() {
     m_thickness = std::clamp(fitting(), kLeastGrowth * m_thickness, kGrowth * m_thickness);
     m_thickness = std::min(m_thickness, 1.0);
     m_model.setThickness(m_thickness);
-    m_integrator->initialise(m_model, m_motion);
+    forcesChanged();
     m_rule.restart();
 }
 

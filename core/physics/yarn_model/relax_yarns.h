@@ -45,7 +45,7 @@ public:
     bool step(const Interrupt& interrupt);
 
     /// To be called when a term of the model has changed since the last step.
-    void forcesChanged() { m_integrator->initialise(m_model, m_motion); }
+    void forcesChanged() { m_integrator->forcesChanged(m_model, m_motion); }
 
     /// Without the audit.
     const YarnRelaxReport& report() const { return m_report; }
