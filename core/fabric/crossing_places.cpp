@@ -9,9 +9,10 @@ namespace knittsim::fabric {
 
 namespace {
 
-constexpr double kSamePlace = 0.1; ///< pitches
-constexpr double kStill = 0.3;     ///< pitches
-constexpr double kLeastSpan = 0.1; ///< courses
+constexpr double kSamePlace = 0.1;   ///< pitches
+constexpr double kSameNeedle = 0.25; ///< pitches
+constexpr double kStill = 0.3;       ///< pitches
+constexpr double kLeastSpan = 0.1;   ///< courses
 
 /// Puts the crossings where their two strands can meet.
 class Placer {
@@ -29,11 +30,51 @@ public:
             }
         }
         for (const Yarn& yarn : m_fabric.yarns) {
+            sortFloats(yarn.first, yarn.first + yarn.count);
             levelFloats(yarn.first, yarn.first + yarn.count);
         }
     }
 
 private:
+    /// A float meets all legs of a needle in one moment: in the order in which they stand there now.
+    void sortFloats(PointIndex first, PointIndex end) {
+        const auto crossingOf = [&](PointIndex p) -> const Crossing& {
+            return m_fabric.crossings[static_cast<std::size_t>(point(p).crossing)];
+        };
+        while (first < end) {
+            PointIndex last = first + 1;
+            if (onFloat(first)) {
+                const Crossing& here = crossingOf(first);
+                while (last < end && onFloat(last) && point(last).loop == point(first).loop &&
+                       crossingOf(last).operation == here.operation &&
+                       std::abs(crossingOf(last).place - here.place) < kSameNeedle) {
+                    ++last;
+                }
+                sortAlong(first, last, (here.sign > 0) == (here.over == first) ? 1 : -1);
+            }
+            first = last;
+        }
+    }
+
+    /// `direction`: +1 where the yarn runs to the right.
+    void sortAlong(PointIndex first, PointIndex last, double direction) {
+        std::stable_sort(m_fabric.points.begin() + first, m_fabric.points.begin() + last,
+                         [&](const BondingPoint& a, const BondingPoint& b) {
+                             const auto x = [&](const BondingPoint& p) {
+                                 return m_fabric.machinePositions[static_cast<std::size_t>(p.entry)].x();
+                             };
+                             return direction * x(a) < direction * x(b);
+                         });
+        for (PointIndex p = first; p < last; ++p) {
+            Crossing& crossing = m_fabric.crossings[static_cast<std::size_t>(point(p).crossing)];
+            (point(p).front > 0 ? crossing.over : crossing.under) = p;
+        }
+    }
+
+    bool onFloat(PointIndex p) const {
+        return point(p).role == Role::Crossing && point(p).piece == Piece::Float;
+    }
+
     /// Between the wishes of the two strands, nearer to that of a short leg; a float meets a leg where the
     /// leg is.
     Vec3 meet(PointIndex a, PointIndex b) const {
@@ -60,9 +101,6 @@ private:
 
     /// A float crosses legs that stand behind each other at one height.
     void levelFloats(PointIndex first, PointIndex end) {
-        const auto onFloat = [&](PointIndex p) {
-            return point(p).role == Role::Crossing && point(p).piece == Piece::Float;
-        };
         while (first < end) {
             PointIndex last = first + 1;
             double y = place(first).y();

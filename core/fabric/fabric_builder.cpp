@@ -122,8 +122,8 @@ Fabric buildFabric(const machine::Timeline& timeline, OperationIndex count) {
     joinHeads(fabric.made, emulator.state(), entries);
     const LegCrossings crossings(tracker, fabric.loops.size());
     threadYarns(fabric, courses, crossings, entries);
-    indexEntries(fabric);
     layOutOnMachine(fabric, timeline.profile());
+    indexEntries(fabric);
     return fabric;
 }
 

@@ -11,15 +11,20 @@ constexpr double kSame = 0.01;       ///< pitches
 constexpr double kHalfPitch = 0.5;   ///< that they stand apart then
 constexpr double kNarrowHalf = 0.12; ///< half width of the loops then
 
-/// Loops of both beds that were made face to face and pass each other later stand side by side from the
-/// beginning: the rear one there where it comes from.
-void partFacing(const Fabric& fabric, std::vector<WalePlace>& places) {
-    const auto& made = fabric.made.loops;
-    std::vector<char> parted(made.size(), 0);
-    const auto part = [&](std::size_t loop, double way) {
+struct Stand {
+    Needle needle;
+    double rack = 0;
+};
+
+/// Loops of both beds that pass each other and face each other before (`way` -1) or after (+1) stand side by
+/// side there: the rear one where it comes from or goes to.
+void partFacing(const Fabric& fabric, std::vector<WalePlace>& places, const std::vector<Stand>& stands,
+                double way) {
+    std::vector<char> parted(places.size(), 0);
+    const auto part = [&](std::size_t loop, double by) {
         if (parted[loop] == 0) {
             parted[loop] = 1;
-            places[loop].centre += way;
+            places[loop].centre += by;
             places[loop].halfWidth = kNarrowHalf;
         }
     };
@@ -32,16 +37,34 @@ void partFacing(const Fabric& fabric, std::vector<WalePlace>& places) {
         const auto front = static_cast<std::size_t>(over.loop);
         const auto rear = static_cast<std::size_t>(under.loop);
         if (over.piece == Piece::Float || under.piece == Piece::Float ||
-            !machine::isFront(made[front].needle.bed) || machine::isFront(made[rear].needle.bed)) {
+            !machine::isFront(stands[front].needle.bed) || machine::isFront(stands[rear].needle.bed)) {
             continue;
         }
-        const double apart = machine::positionPitches(made[front].needle, made[front].rack) -
-                             machine::positionPitches(made[rear].needle, made[rear].rack);
+        const double apart = machine::positionPitches(stands[front].needle, stands[front].rack) -
+                             machine::positionPitches(stands[rear].needle, stands[rear].rack);
         if (std::abs(apart) < kSame) {
-            part(front, -0.5 * kHalfPitch * crossing.sign);
-            part(rear, 0.5 * kHalfPitch * crossing.sign);
+            part(front, 0.5 * kHalfPitch * way * crossing.sign);
+            part(rear, -0.5 * kHalfPitch * way * crossing.sign);
         }
     }
+}
+
+std::vector<Stand> standsMade(const Fabric& fabric) {
+    std::vector<Stand> stands;
+    stands.reserve(fabric.loops.size());
+    for (const machine::Loop& loop : fabric.made.loops) {
+        stands.push_back({loop.needle, loop.rack});
+    }
+    return stands;
+}
+
+std::vector<Stand> standsBound(const Fabric& fabric) {
+    std::vector<Stand> stands;
+    stands.reserve(fabric.loops.size());
+    for (const Loop& loop : fabric.loops) {
+        stands.push_back({loop.bound, loop.boundRack});
+    }
+    return stands;
 }
 
 /// Where each loop would stand by its own pass.
@@ -76,7 +99,7 @@ std::vector<WalePlace> placesMade(const Fabric& fabric) {
             places[p].halfWidth = places[i].halfWidth = kNarrowHalf;
         }
     }
-    partFacing(fabric, places);
+    partFacing(fabric, places, standsMade(fabric), -1);
     return places;
 }
 
@@ -101,6 +124,7 @@ WalePlaces walePlaces(const Fabric& fabric) {
             }
         }
     }
+    partFacing(fabric, places.bound, standsBound(fabric), 1);
     return places;
 }
 

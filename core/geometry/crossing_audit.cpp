@@ -28,6 +28,7 @@ struct Event {
     PointIndex under = -1;
     std::int32_t node = -1;
     std::size_t index = 0; ///< of the projected crossing
+    bool kink = false;     ///< wanted, but good without: it can be straightened
 };
 
 constexpr PointIndex kBeyondBorder = 3;   ///< bonding points
@@ -136,10 +137,10 @@ private:
 
     PointIndex pointAt(std::int32_t node) const { return m_curves.piece[static_cast<std::size_t>(node)]; }
 
-    void want(PointIndex over, PointIndex under, int sign, float place) {
+    void want(PointIndex over, PointIndex under, int sign, float place, bool kink = false) {
         const CurvePiece a = pieceOf(over);
         const CurvePiece b = pieceOf(under);
-        m_wanted.push_back({std::min(a, b), std::max(a, b), a < b, sign, place, over, under, -1, 0});
+        m_wanted.push_back({std::min(a, b), std::max(a, b), a < b, sign, place, over, under, -1, 0, kink});
     }
 
     /// A loop passes behind the legs of the loops that it is drawn through and over their heads, or the other
@@ -168,12 +169,12 @@ private:
 
     void expectCrossings() {
         for (const fabric::Crossing& crossing : m_fabric.crossings) {
-            if (crossing.over >= 0 && crossing.under >= 0 && !isKink(crossing)) {
+            if (crossing.over >= 0 && crossing.under >= 0) {
                 // Time runs up a leg, but down from its foot along the float behind it.
                 const CurvePiece over = pieceOf(crossing.over);
                 const CurvePiece under = pieceOf(crossing.under);
                 const int sense = senseOf(crossing.over, over) * senseOf(crossing.under, under);
-                want(crossing.over, crossing.under, crossing.sign * sense, -1);
+                want(crossing.over, crossing.under, crossing.sign * sense, -1, isKink(crossing));
             }
         }
     }
@@ -228,12 +229,16 @@ private:
         for (std::size_t i = w; i < wEnd; ++i) {
             cancelOrPush(m_wanted[i], m_asked);
         }
-        m_audit.expected += m_asked.size();
         auto next = m_left.begin();
         for (const Event* wanted : m_asked) {
             const auto match = std::find_if(next, m_left.end(), [&](const Event* e) {
                 return e->aOver == wanted->aOver && e->sign == wanted->sign;
             });
+            if (wanted->kink) {
+                next = match == m_left.end() ? next : m_left.erase(match);
+                continue;
+            }
+            ++m_audit.expected;
             if (match == m_left.end()) {
                 // Of a stitch the other strand is in front.
                 const auto swapped = std::find_if(next, m_left.end(), [&](const Event* e) {
@@ -407,12 +412,17 @@ private:
         if (const int order = stackOrder(a.loop, b.loop); order != 0) {
             return order;
         }
-        const int bedA = layer(a);
-        const int bedB = layer(b);
-        if (bedA != bedB) {
-            return bedA > bedB ? 1 : -1;
+        const int bound = layer(a, &Auditor::bedBound) - layer(b, &Auditor::bedBound);
+        if (bound != 0) {
+            return bound > 0 ? 1 : -1;
         }
-        return 0;
+        const int first = layer(a, &Auditor::bedMade) - layer(b, &Auditor::bedMade);
+        return isDrawnThrough(a.loop, b.loop) ? 0 : (first > 0) - (first < 0);
+    }
+
+    bool isDrawnThrough(machine::LoopIndex a, machine::LoopIndex b) const {
+        return std::ranges::find(m_fabric.made.parentsOf(std::max(a, b)), std::min(a, b)) !=
+               m_fabric.made.parentsOf(std::max(a, b)).end();
     }
 
     /// Loops on one needle lie over each other: the first of the stack is nearest to its bed.
@@ -427,12 +437,17 @@ private:
         return first.stackPlace < second.stackPlace ? towardsBed : -towardsBed;
     }
 
+    machine::Bed bedBound(machine::LoopIndex loop) const {
+        return m_fabric.loops[static_cast<std::size_t>(loop)].bound.bed;
+    }
+    machine::Bed bedMade(machine::LoopIndex loop) const { return made(loop).needle.bed; }
+
     /// +1 on the front bed, 0 between the beds, -1 on the rear bed.
-    int layer(const CurvePiece& piece) const {
+    int layer(const CurvePiece& piece, machine::Bed (Auditor::*bedOf)(machine::LoopIndex) const) const {
         if (piece.piece == Piece::Float) {
             return 0;
         }
-        return machine::isFront(m_fabric.loops[static_cast<std::size_t>(piece.loop)].bound.bed) ? 1 : -1;
+        return machine::isFront((this->*bedOf)(piece.loop)) ? 1 : -1;
     }
 
     const Fabric& m_fabric;

@@ -199,15 +199,36 @@ bool CurvePlanner::isTurn(const Station& a, const Station& b) {
     return a.side == b.side;
 }
 
+/// A yarn between the two has to go round the leg of the first one.
+bool CurvePlanner::isInside(const Station& leg, const Station& from) const {
+    const double outward = static_cast<double>(sideSign(leg.side)) * (placeOf(from).x() - placeOf(leg).x());
+    return outward < -kBesideEdge * m_fabric.pitchMm;
+}
+
 /// A float that turns back behind the leg that it comes from.
 bool CurvePlanner::isKink(const Station& a, const Station& b) const {
     if (!b.isCrossing() || a.isCrossing()) {
         return false;
     }
-    const fabric::Crossing& crossing = m_fabric.crossings[static_cast<std::size_t>(point(b.point).crossing)];
-    const fabric::BondingPoint& other = point(crossing.over == b.point ? crossing.under : crossing.over);
     const auto leg = a.side == fabric::Side::Left ? fabric::Piece::LeftLeg : fabric::Piece::RightLeg;
-    return other.loop == a.loop && other.piece == leg;
+    return other(b).loop == a.loop && other(b).piece == leg;
+}
+
+/// A float that passes a leg, turns round it and comes back on its other side.
+bool CurvePlanner::isWrap(const Station& a, const Station& b) const {
+    if (a.kind != Station::Kind::OnFloat || b.kind != Station::Kind::OnFloat) {
+        return false;
+    }
+    const fabric::BondingPoint& first = other(a);
+    const fabric::BondingPoint& second = other(b);
+    return first.loop == second.loop && first.piece == second.piece &&
+           point(a.point).front != point(b.point).front;
+}
+
+/// The point of the other strand at a crossing.
+const fabric::BondingPoint& CurvePlanner::other(const Station& at) const {
+    const fabric::Crossing& crossing = m_fabric.crossings[static_cast<std::size_t>(point(at.point).crossing)];
+    return point(crossing.over == at.point ? crossing.under : crossing.over);
 }
 
 std::int32_t CurvePlanner::newControl(const Station& owner, const Station& piece) {
@@ -363,7 +384,21 @@ void CurvePlanner::addTurnControl(const Station& near, const Station& owner, flo
                                 .out = kDepthGain * near.lower});
 }
 
+/// Beyond the leg that both stations lie on.
+void CurvePlanner::addWrap(const Station& a, const Station& b) {
+    const fabric::Crossing& crossing = m_fabric.crossings[static_cast<std::size_t>(point(a.point).crossing)];
+    const bool rightward = (crossing.sign > 0) == (crossing.over == a.point);
+    for (Station beyond : {a, b}) {
+        beyond.side = rightward ? fabric::Side::Right : fabric::Side::Left;
+        addTurnControl(beyond, a, kTurnOut, 0);
+    }
+}
+
 void CurvePlanner::addFloat(const Station& a, const Station& b) {
+    if (isWrap(a, b)) {
+        addWrap(a, b);
+        return;
+    }
     const bool steep = isSteep(a, b);
     const bool kink = isKink(a, b);
     if ((steep && !a.isCrossing()) || kink) {
@@ -391,7 +426,7 @@ void CurvePlanner::addFloat(const Station& a, const Station& b) {
                                  .alongSide = -1,
                                  .out = 0.5F * (a.lower + b.lower)});
     }
-    if (steep && !b.isCrossing()) {
+    if ((steep || (!a.isCrossing() && isInside(b, a))) && !b.isCrossing()) {
         addTurnControl(b, a, kTurnOut, kTurnDown);
     } else if (!b.isCrossing()) {
         addReach(b, a, a, b.lower);
@@ -403,9 +438,7 @@ bool CurvePlanner::isBesideFloat(const Station& foot, const Station& crossing) c
     if (crossing.kind != Station::Kind::OnFloat) {
         return false;
     }
-    const fabric::Crossing& c = m_fabric.crossings[static_cast<std::size_t>(point(crossing.point).crossing)];
-    const fabric::BondingPoint& other = point(c.over == crossing.point ? c.under : c.over);
-    return other.piece == fabric::Piece::Float &&
+    return other(crossing).piece == fabric::Piece::Float &&
            std::abs(placeOf(foot).x() - placeOf(crossing).x()) < 0.5 * m_fabric.pitchMm;
 }
 

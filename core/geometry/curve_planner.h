@@ -51,7 +51,10 @@ private:
     bool isSteep(const Station& a, const Station& b) const;
     bool isTall(const Station& a, const Station& b) const;
     static bool isTurn(const Station& a, const Station& b);
+    bool isInside(const Station& leg, const Station& from) const;
     bool isKink(const Station& a, const Station& b) const;
+    bool isWrap(const Station& a, const Station& b) const;
+    const fabric::BondingPoint& other(const Station& at) const;
     float stored(const Station& a) const {
         return static_cast<float>(m_fabric.lengths[static_cast<std::size_t>(a.point)]);
     }
@@ -70,6 +73,7 @@ private:
     float waitOut(const Station& a, const Station& b) const;
     void addTurnControl(const Station& near, const Station& owner, float across, float down);
     void addFloat(const Station& a, const Station& b);
+    void addWrap(const Station& a, const Station& b);
     bool isBesideFloat(const Station& foot, const Station& crossing) const;
     void addReach(const Station& near, const Station& far, const Station& owner, float out);
 

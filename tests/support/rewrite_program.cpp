@@ -194,6 +194,27 @@ Program turnedOver(Program program) {
     return program;
 }
 
+Program withCarriersAsideAtRacks(Program program) {
+    constexpr std::int32_t kFar = 200;
+    const machine::Timeline timeline(program, machine::genericProfile());
+    Operations operations;
+    for (std::size_t at = 0; at < program.operations.size(); ++at) {
+        if (program.operations[at].kind == OperationKind::Rack) {
+            const MachineState state = timeline.stateAfter(static_cast<OperationIndex>(at));
+            for (std::size_t c = 0; c < state.carriers.size(); ++c) {
+                if (state.carriers[c].in) {
+                    const Direction side = c % 2 == 0 ? Direction::Left : Direction::Right;
+                    operations.push_back(missTo({Bed::Front, machine::sign(side) * kFar}, side,
+                                                static_cast<machine::CarrierIndex>(c)));
+                }
+            }
+        }
+        operations.push_back(program.operations[at]);
+    }
+    program.operations = std::move(operations);
+    return program;
+}
+
 Program withSwaps(Program program, int tries, std::uint32_t seed) {
     std::mt19937 random(seed);
     const machine::MachineProfile profile = machine::genericProfile();

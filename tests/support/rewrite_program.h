@@ -15,6 +15,10 @@ machine::Program mirrored(machine::Program program);
 /// The program for somebody who stands behind the machine and calls the rear bed the front one.
 machine::Program turnedOver(machine::Program program);
 
+/// Before every rack all carriers go far beyond the loops, to either side: no yarn hangs between needles that
+/// move.
+machine::Program withCarriersAsideAtRacks(machine::Program program);
+
 /// Changes the order of neighbouring operations that are independent, as often as `tries` random places
 /// allow. Two operations are independent when both knit, tuck, miss, split, transfer or drop, they share no
 /// carrier, and the stretches of the bed that they touch have no place in common. The stretch of an operation

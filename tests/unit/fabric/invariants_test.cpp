@@ -127,6 +127,16 @@ TEST(Invariants, TheTurnedProgramMakesTheFabricSeenFromTheBack) {
                       });
 }
 
+/// With racking, while no yarn hangs between the needles that move. Of loops that face each other the books
+/// choose one to stand on the left, so they may keep a pair of opposite crossings more or less.
+TEST(Invariants, TheTurnedProgramMakesTheFabricSeenFromTheBackWithRacks) {
+    forRandomPrograms(kPrograms, {.operations = 150}, [](const Program& all) {
+        const Program program = test::withCarriersAsideAtRacks(all);
+        const auto net = [](const FabricForm& every) { return withSortedCrossings(withoutOpposites(every)); };
+        return difference(net(turnedOver(form(program))), net(form(test::turnedOver(program))));
+    });
+}
+
 TEST(Invariants, LoopsAreConserved) {
     forRandomPrograms(kPrograms, {.operations = 300}, [](const Program& program) -> std::string {
         const machine::Timeline timeline(program, machine::genericProfile());

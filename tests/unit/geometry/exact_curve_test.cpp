@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <map>
 
 namespace knittsim::geometry {
 namespace {
@@ -55,20 +54,10 @@ std::vector<fs::path> programsIn(const fs::path& folder) {
     return files;
 }
 
-/// Programs of which some crossings are missing or explained by nothing, and how many at most. In the first
-/// a float meets the loops of a needle in another order than they stand side by side; in the second, loops
-/// face each other again after one has passed behind the other.
-const std::map<std::string, std::size_t> kFaults{
-    {"knittingutils/jacquard.k", 3},
-    {"knitout-examples/icord-cast-on.k", 6},
-};
-
 void expectExact(const fs::path& file) {
     const CurveReport report = exact(file).report;
     const std::string name = file.parent_path().filename() / file.filename();
-    const auto known = kFaults.find(name);
-    const std::size_t most = known == kFaults.end() ? 0 : known->second;
-    EXPECT_LE(report.crossings.faults.size(), most) << name << " of " << report.crossings.expected;
+    EXPECT_TRUE(report.crossings.faults.empty()) << name << " of " << report.crossings.expected;
     EXPECT_TRUE(report.certificate.holds()) << name;
     EXPECT_GT(report.nearest.mm, 0) << name;
     EXPECT_GT(report.crossings.expected, 0U) << name;
