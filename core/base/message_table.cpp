@@ -213,6 +213,8 @@ constexpr auto kMessages = std::to_array<Message>({
      "Move the loops less far."},
     {"KS0508", "chart-loop-left", "Wale {0} is empty here but still holds a loop.",
      "Move the loop to a neighbour or let the wale rest."},
+    {"KS0509", "project-too-new", "The project has version {0}, this program knows up to {1}.",
+     "Open it with a newer KnittSim."},
 });
 
 static_assert(std::is_sorted(kMessages.begin(), kMessages.end(),

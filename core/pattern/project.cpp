@@ -1,0 +1,252 @@
+#include "core/pattern/project.h"
+
+#include "core/base/file.h"
+#include "core/base/json_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace knittsim::pattern {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMaxProjectBytes = std::size_t{256} << 20;
+constexpr std::size_t kMaxYarns = 36;
+
+struct Letter {
+    Stitch stitch;
+    char letter;
+};
+constexpr std::array kLetters{Letter{Stitch::Knit, 'k'}, Letter{Stitch::Purl, 'p'}, Letter{Stitch::Both, 'b'},
+                              Letter{Stitch::Tuck, 't'}, Letter{Stitch::Miss, 'm'}, Letter{Stitch::Rest, 'r'},
+                              Letter{Stitch::Empty, '.'}};
+
+char letterOf(Stitch stitch) {
+    return std::ranges::find(kLetters, stitch, &Letter::stitch)->letter;
+}
+
+char digitOf(std::uint8_t yarn) {
+    return static_cast<char>(yarn < 10 ? '0' + yarn : 'a' + (yarn - 10));
+}
+
+/// Of what stands in a file; kMaxYarns for anything else.
+std::size_t yarnOf(char digit) {
+    return digit >= '0' && digit <= '9'   ? static_cast<std::size_t>(digit - '0')
+           : digit >= 'a' && digit <= 'z' ? static_cast<std::size_t>(digit - 'a') + 10
+                                          : kMaxYarns;
+}
+
+std::string colourText(yarn::Colour colour) {
+    return fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b);
+}
+
+/// One course, on one line.
+std::string courseText(const Chart& chart, int c) {
+    const Course& course = chart.course(c);
+    std::string stitches;
+    std::string yarns;
+    for (int w = 0; w < chart.width; ++w) {
+        stitches += letterOf(chart.at(w, c).stitch);
+        yarns += digitOf(chart.at(w, c).yarn);
+    }
+    if (yarns.find_first_not_of(yarns[0]) == std::string::npos) {
+        yarns.resize(1);
+    }
+    std::string text = fmt::format(R"({{"stitches": "{}", "yarns": "{}")", stitches, yarns);
+    if (!course.moves.empty()) {
+        text += ", \"moves\": [";
+        for (std::size_t i = 0; i < course.moves.size(); ++i) {
+            text += fmt::format("{}[{}, {}]", i > 0 ? ", " : "", course.moves[i].from, course.moves[i].to);
+        }
+        text += ']';
+    }
+    if (course.colours == ColourMethod::Intarsia) {
+        text += R"(, "colours": "intarsia")";
+    }
+    if (course.rack != 0) {
+        text += fmt::format(", \"rack\": {}", course.rack);
+    }
+    if (course.stitchNumber) {
+        text += fmt::format(", \"stitch\": {}", *course.stitchNumber);
+    }
+    return text + '}';
+}
+
+class Reader {
+public:
+    Reader(const json& file, std::string name)
+        : m_name(std::move(name)), m_reader(file, m_name, m_problems) {}
+
+    Result<Project> read() {
+        const int version = m_reader.integer("knitt", 1, 1'000'000);
+        if (m_problems.empty() && version > kProjectVersion) {
+            return Diagnostic{"KS0509",
+                              Severity::Error,
+                              Place{.file = m_name},
+                              {std::to_string(version), std::to_string(kProjectVersion)}};
+        }
+        m_project.machine = m_reader.optionalText("machine");
+        m_project.castOn = m_reader.choice("cast_on", {"open", "alternating"}) == "open"
+                               ? CastOn::Open
+                               : CastOn::Alternating;
+        m_project.ending =
+            m_reader.choice("ending", {"held", "dropped"}) == "dropped" ? Ending::Dropped : Ending::Held;
+        const bool both = m_reader.choice("beds", {"single", "double"}) == "double";
+        const int wales = m_reader.integer("wales", 1, kMaxWales);
+        readYarns();
+        const std::vector<json> courses = m_reader.array("courses", 1, kMaxCourses);
+        if (!m_problems.empty()) {
+            return Result<Project>::failure(std::move(m_problems));
+        }
+        m_project.chart.width = wales;
+        m_project.chart.beds = both ? BedUse::Double : BedUse::Single;
+        m_project.chart.courses.resize(courses.size());
+        m_project.chart.cells.resize(courses.size() * static_cast<std::size_t>(wales));
+        for (std::size_t c = 0; c < courses.size() && m_problems.empty(); ++c) {
+            readCourse(courses[c], static_cast<int>(c));
+        }
+        m_reader.rejectUnknownKeys();
+        if (m_problems.empty()) {
+            m_problems = check(m_project.chart);
+        }
+        if (!m_problems.empty()) {
+            return Result<Project>::failure(std::move(m_problems));
+        }
+        return std::move(m_project);
+    }
+
+private:
+    void readYarns() {
+        const std::vector<json> yarns = m_reader.array("yarns", 1, kMaxYarns);
+        for (std::size_t i = 0; i < yarns.size(); ++i) {
+            JsonReader reader(yarns[i], m_name, m_problems, fmt::format("yarns[{}]", i));
+            ChartYarn yarn{reader.text("carrier"), {}, reader.optionalText("library_id")};
+            const std::string colour = reader.text("colour");
+            unsigned value = 0;
+            if (colour.size() == 7 && colour[0] == '#' &&
+                colour.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos) {
+                value = static_cast<unsigned>(std::stoul(colour.substr(1), nullptr, 16));
+            } else {
+                reader.report("colour", '"' + colour + '"', "a colour such as #a1b2c3");
+            }
+            yarn.colour = {static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
+                           static_cast<std::uint8_t>(value)};
+            reader.rejectUnknownKeys();
+            m_project.chart.yarns.push_back(std::move(yarn));
+        }
+    }
+
+    void readCourse(const json& value, int c) {
+        Chart& chart = m_project.chart;
+        JsonReader reader(value, m_name, m_problems, fmt::format("courses[{}]", c));
+        const std::string stitches = reader.text("stitches");
+        std::string yarns = reader.text("yarns");
+        if (yarns.size() == 1) {
+            yarns.assign(static_cast<std::size_t>(chart.width), yarns[0]);
+        }
+        const std::string expected = fmt::format("{} letters", chart.width);
+        for (const auto& [key, text] : {std::pair{"stitches", &stitches}, {"yarns", &yarns}}) {
+            if (text->size() != static_cast<std::size_t>(chart.width)) {
+                reader.report(key, fmt::format("a text of {} letters", text->size()), expected);
+                return;
+            }
+        }
+        for (int w = 0; w < chart.width; ++w) {
+            const auto at = static_cast<std::size_t>(w);
+            const auto letter = std::ranges::find(kLetters, stitches[at], &Letter::letter);
+            const std::size_t yarn = yarnOf(yarns[at]);
+            if (letter == kLetters.end() || yarn == kMaxYarns) {
+                reader.report(letter == kLetters.end() ? "stitches" : "yarns",
+                              fmt::format("another letter at wale {}", w),
+                              letter == kLetters.end() ? "k, p, b, t, m, r or ." : "0 to 9 or a to z");
+                return;
+            }
+            chart.at(w, c) = {letter->stitch, static_cast<std::uint8_t>(yarn)};
+        }
+        readSettings(reader, c);
+        reader.rejectUnknownKeys();
+    }
+
+    void readSettings(JsonReader& reader, int c) {
+        Course& course = m_project.chart.course(c);
+        if (reader.has("moves")) {
+            for (const json& move : reader.array("moves", 0, kMaxWales)) {
+                if (!move.is_array() || move.size() != 2 || !move[0].is_number_integer() ||
+                    !move[1].is_number_integer()) {
+                    reader.report("moves",
+                                  move.dump(-1, ' ', true, json::error_handler_t::replace).substr(0, 40),
+                                  "a pair of wales");
+                    return;
+                }
+                // Far outside is as wrong as just outside, and fits.
+                const auto wale = [](const json& v) {
+                    return static_cast<int>(std::clamp<std::int64_t>(v.get<std::int64_t>(), -1, kMaxWales));
+                };
+                course.moves.push_back({wale(move[0]), wale(move[1])});
+            }
+        }
+        if (reader.has("colours") && reader.choice("colours", {"float", "intarsia"}) == "intarsia") {
+            course.colours = ColourMethod::Intarsia;
+        }
+        if (reader.has("rack")) {
+            course.rack = reader.integer("rack", -1000, 1000);
+        }
+        if (reader.has("stitch")) {
+            course.stitchNumber = reader.number("stitch", 0, 1e6);
+        }
+    }
+
+    std::string m_name;
+    Diagnostics m_problems;
+    JsonReader m_reader;
+    Project m_project;
+};
+
+} // namespace
+
+std::string writeProject(const Project& project) {
+    const Chart& chart = project.chart;
+    std::string text = fmt::format("{{\n\"knitt\": {},\n", kProjectVersion);
+    if (!project.machine.empty()) {
+        text += fmt::format("\"machine\": {},\n", json(project.machine).dump());
+    }
+    text += fmt::format("\"cast_on\": \"{}\",\n\"ending\": \"{}\",\n\"beds\": \"{}\",\n\"wales\": {},\n",
+                        project.castOn == CastOn::Open ? "open" : "alternating",
+                        project.ending == Ending::Dropped ? "dropped" : "held",
+                        chart.beds == BedUse::Double ? "double" : "single", chart.width);
+    text += "\"yarns\": [";
+    for (std::size_t i = 0; i < chart.yarns.size(); ++i) {
+        const ChartYarn& yarn = chart.yarns[i];
+        text +=
+            fmt::format("{}\n{{\"carrier\": {}, \"colour\": \"{}\", \"library_id\": {}}}", i > 0 ? "," : "",
+                        json(yarn.carrier).dump(), colourText(yarn.colour), json(yarn.libraryId).dump());
+    }
+    text += "\n],\n\"courses\": [";
+    for (int c = 0; c < chart.height(); ++c) {
+        text += (c > 0 ? ",\n" : "\n") + courseText(chart, c);
+    }
+    return text + "\n]\n}\n";
+}
+
+Result<Project> readProject(std::string_view text, const std::string& file) {
+    Result<json> parsed = parseJson(text, file);
+    if (!parsed) {
+        return Result<Project>::failure(parsed.diagnostics());
+    }
+    return Reader(parsed.value(), file).read();
+}
+
+Result<Project> readProjectFile(const std::filesystem::path& path) {
+    const Result<std::string> text = readFile(path, kMaxProjectBytes);
+    if (!text) {
+        return Result<Project>::failure(text.diagnostics());
+    }
+    return readProject(text.value(), path.string());
+}
+
+} // namespace knittsim::pattern

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/pattern/compile.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace knittsim::pattern {
+
+/// What a designer keeps: the chart and how it is made into a program.
+struct Project {
+    Chart chart;
+    CastOn castOn = CastOn::Alternating;
+    Ending ending = Ending::Held;
+    std::string machine; ///< id of a machine profile; empty: generic
+
+    bool operator==(const Project&) const = default;
+};
+
+/// A project file (.knitt) is JSON with a line for each course, so that a version control shows what changed:
+///
+///     knitt      1, the version of the format
+///     machine    id of a machine profile, may be missing
+///     cast_on    "open" or "alternating"
+///     ending     "held" or "dropped"
+///     beds       "single" or "double"
+///     wales      number of wales
+///     yarns      list of {carrier, colour "#rrggbb", library_id}
+///     courses    from the first one knitted to the last; each
+///         stitches   a letter for each wale from the left: k knit, p purl, b both, t tuck, m miss, r rest,
+///                    . empty
+///         yarns      a digit 0-9 a-z for each wale, or a single one for all
+///         moves      pairs [from, to] of wales, may be missing
+///         colours    "float" or "intarsia"; missing: float
+///         rack       pitches; missing: 0
+///         stitch     stitch number from here on; may be missing
+constexpr int kProjectVersion = 1;
+constexpr std::string_view kProjectExtension = ".knitt";
+
+std::string writeProject(const Project& project);
+
+/// Errors: KS0003 to KS0005 with the place in the JSON, KS0509 for a version that is newer than this program,
+/// and those of check(chart).
+Result<Project> readProject(std::string_view text, const std::string& file);
+
+/// Errors: those of readFile and of above.
+Result<Project> readProjectFile(const std::filesystem::path& path);
+
+} // namespace knittsim::pattern
