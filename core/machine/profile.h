@@ -59,7 +59,7 @@ struct MachineProfile {
     double extraYarnMm(double wayPitches, bool fromBedToBed) const;
 };
 
-/// Reads and checks one profile. Errors: KS0001, KS0003..KS0005.
+/// Reads and checks one profile. Errors: KS0001, KS0007 and those of parseJson() and JsonReader.
 Result<MachineProfile> readMachineProfile(const std::filesystem::path& path);
 Result<MachineProfile> parseMachineProfile(std::string_view json, const std::string& file);
 
