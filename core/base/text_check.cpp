@@ -46,11 +46,11 @@ std::string_view withoutByteOrderMark(std::string_view text) {
 std::optional<Diagnostic> whyNotText(std::string_view bytes, const std::string& file) {
     const Place start{.file = file, .line = 1, .column = 1};
     if (withoutByteOrderMark(bytes).empty()) {
-        return Diagnostic{"KS0009", Severity::Error, start, {}};
+        return Diagnostic{"KS0012", Severity::Error, start, {}};
     }
     for (const Mark& mark : kOtherMarks) {
         if (bytes.starts_with(mark.bytes)) {
-            return Diagnostic{"KS0010", Severity::Error, start, {mark.encoding}};
+            return Diagnostic{"KS0013", Severity::Error, start, {mark.encoding}};
         }
     }
     if (const std::size_t nul = bytes.find('\0'); nul != std::string_view::npos) {
@@ -59,7 +59,7 @@ std::optional<Diagnostic> whyNotText(std::string_view bytes, const std::string& 
     const auto controls = static_cast<std::size_t>(std::ranges::count_if(bytes, isControl));
     if (controls * kTextBytesPerControl > bytes.size()) {
         return Diagnostic{
-            "KS0011",
+            "KS0014",
             Severity::Error,
             placeOf(bytes, static_cast<std::size_t>(std::ranges::find_if(bytes, isControl) - bytes.begin()),
                     file),

@@ -25,22 +25,22 @@ TEST(TextCheck, TextIsTextEvenWithBrokenCharacters) {
 
 TEST(TextCheck, OtherBytesHaveOneReasonEach) {
     EXPECT_EQ(reason(""),
-              "a.txt:1:1: error KS0009: The file is empty. Check that the right file was chosen.");
-    EXPECT_EQ(reason("\xEF\xBB\xBF").substr(0, 25), "a.txt:1:1: error KS0009: ");
+              "a.txt:1:1: error KS0012: The file is empty. Check that the right file was chosen.");
+    EXPECT_EQ(reason("\xEF\xBB\xBF").substr(0, 25), "a.txt:1:1: error KS0012: ");
     EXPECT_EQ(reason("\xFF\xFEk\0"s),
-              "a.txt:1:1: error KS0010: The file is text in UTF-16, expected UTF-8. Save the file as UTF-8.");
-    EXPECT_EQ(reason("\xFE\xFF\0k"s).substr(0, 50), "a.txt:1:1: error KS0010: The file is text in UTF-1");
+              "a.txt:1:1: error KS0013: The file is text in UTF-16, expected UTF-8. Save the file as UTF-8.");
+    EXPECT_EQ(reason("\xFE\xFF\0k"s).substr(0, 50), "a.txt:1:1: error KS0013: The file is text in UTF-1");
     EXPECT_NE(reason("\xFF\xFE\0\0k\0\0\0"s).find("UTF-32"), std::string::npos);
     EXPECT_NE(reason("\0\0\xFE\xFF\0\0\0k"s).find("UTF-32"), std::string::npos);
     EXPECT_EQ(reason("ab\nc\0d"s).substr(0, 25), "a.txt:2:2: error KS0122: ");
     EXPECT_EQ(reason("ab\n\x01\x02"),
-              "a.txt:2:1: error KS0011: This is not a text file: 2 of its 5 bytes are control characters. "
+              "a.txt:2:1: error KS0014: This is not a text file: 2 of its 5 bytes are control characters. "
               "Check that the right file was chosen.");
 }
 
 TEST(TextCheck, JsonReportsTheSameReasonsAndABoundedNumberOfProblems) {
-    EXPECT_EQ(parseJson("", "a.json").diagnostics().at(0).id, "KS0009");
-    EXPECT_EQ(parseJson("\xFF\xFE{\0"s, "a.json").diagnostics().at(0).id, "KS0010");
+    EXPECT_EQ(parseJson("", "a.json").diagnostics().at(0).id, "KS0012");
+    EXPECT_EQ(parseJson("\xFF\xFE{\0"s, "a.json").diagnostics().at(0).id, "KS0013");
     EXPECT_TRUE(parseJson("\xEF\xBB\xBF{}", "a.json"));
     nlohmann::json many;
     for (int i = 0; i < 1000; ++i) {

@@ -156,7 +156,7 @@ TEST_P(BadFile, TheSampleOpens) {
 
 TEST_P(BadFile, AnEmptyFileIsSaidToBeEmpty) {
     put("");
-    EXPECT_THAT(onlyLine(), HasSubstr(is("a.dat") ? "KS0130" : "KS0009: The file is empty."));
+    EXPECT_THAT(onlyLine(), HasSubstr(is("a.dat") ? "KS0130" : "KS0012: The file is empty."));
 }
 
 TEST_P(BadFile, AFolderCannotBeRead) {
@@ -181,10 +181,10 @@ TEST_P(BadFile, OtherEncodingsAreNamed) {
     }
     put("\xFF\xFE" + wide);
     EXPECT_THAT(onlyLine(),
-                HasSubstr(isText() ? ":1:1: error KS0010: The file is text in UTF-16" : "KS0130"));
+                HasSubstr(isText() ? ":1:1: error KS0013: The file is text in UTF-16" : "KS0130"));
     put(std::string("\xFF\xFE\0\0", 4) + widest);
     EXPECT_THAT(onlyLine(),
-                HasSubstr(isText() ? ":1:1: error KS0010: The file is text in UTF-32" : "KS0130"));
+                HasSubstr(isText() ? ":1:1: error KS0013: The file is text in UTF-32" : "KS0130"));
 }
 
 TEST_P(BadFile, AByteOrderMarkIsNoMoreThanAWarning) {
@@ -217,7 +217,7 @@ TEST_P(BadFile, NoiseIsRefusedInOneSentence) {
     EXPECT_THAT(onlyLine(), HasSubstr(isText() ? "KS0122" : "KS0130"));
     std::ranges::replace(noise, '\0', '\1');
     put(noise);
-    EXPECT_THAT(onlyLine(), HasSubstr(isText() ? "KS0011: This is not a text file" : "KS0130"));
+    EXPECT_THAT(onlyLine(), HasSubstr(isText() ? "KS0014: This is not a text file" : "KS0130"));
 }
 
 TEST_P(BadFile, OtherTextIsRefusedInOneSentence) {
