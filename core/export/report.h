@@ -76,7 +76,7 @@ struct Report {
 /// the file is escaped.
 std::string toHtml(const Report& report);
 
-/// Keys are snake_case with their unit; null stands for what there is not.
+/// Keys are snake_case with their unit, courses count from 1; null stands for what there is not.
 std::string toJson(const Report& report);
 
 /// HTML or JSON by the extension, whole or not at all. Errors: KS0002, KS0025 for another extension.

@@ -74,6 +74,9 @@ std::string durationText(double seconds) {
 
 std::string placeText(const Place& place) {
     std::string text = place.line > 0 ? fmt::format("line {}", place.line) : "";
+    if (place.course >= 0) {
+        text += (text.empty() ? "course " : ", course ") + std::to_string(place.course + 1);
+    }
     if (!place.needle.empty()) {
         text += (text.empty() ? "" : ", ") + place.needle;
     }

@@ -74,7 +74,7 @@ void addKnitting(const Knitting& knitting, Json& json) {
         const LongestFloat& longest = *knitting.longestFloat;
         json["longest_float"] = {{"length_mm", rounded(longest.mm)}, {"needles", longest.needles},
                                  {"carrier", longest.carrier},       {"line", known(longest.place.line)},
-                                 {"needle", longest.place.needle},   {"course", longest.place.course}};
+                                 {"needle", longest.place.needle},   {"course", longest.place.course + 1}};
     }
     json["largest_racking"] = nullptr;
     if (knitting.largestRacking) {

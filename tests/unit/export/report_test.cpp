@@ -141,6 +141,7 @@ TEST(JsonReport, NamesValuesWithTheirUnits) {
     EXPECT_EQ(found.at("sizes").at("passes"), 2);
     EXPECT_NEAR(found.at("yarn").at(0).at("mass_g").get<double>(), report.knitting->yarns[0].grams(), 5e-4);
     EXPECT_EQ(found.at("longest_float").at("needles"), 3);
+    EXPECT_EQ(found.at("longest_float").at("course"), 2);
     EXPECT_EQ(found.at("largest_racking").at("pitches"), -3);
     EXPECT_EQ(found.at("knitting_time").at("assumed"), true);
     EXPECT_EQ(found.at("findings").size(), report.checks.findings.size() + report.checks.waived.size());
