@@ -17,7 +17,7 @@ MachineChoice::MachineChoice(document::Document& document, QWidget* parent)
     setObjectName(QStringLiteral("machineChoice"));
     setAccessibleName(tr("Machine"));
     setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    setMinimumContentsLength(22);
+    setMinimumContentsLength(34);
     setFocusPolicy(Qt::StrongFocus);
     reload();
     connect(this, &QComboBox::activated, this, &MachineChoice::choose);

@@ -159,7 +159,7 @@ void PatternGrid::paintProblems(QPainter& painter) const {
         if (!area.intersects(cell.toRect())) {
             continue;
         }
-        const double size = std::max(5.0, 0.55 * std::min(cell.width(), cell.height()));
+        const double size = std::max(7.0, 0.6 * std::min(cell.width(), cell.height()));
         const QPointF corner = cell.topRight();
         painter.setPen(QPen(palette().color(QPalette::Base), 1));
         painter.setBrush(problem.severity == Severity::Error ? accents.error : accents.warning);
