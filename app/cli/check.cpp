@@ -1,5 +1,10 @@
 #include "app/cli/commands.h"
+#include "core/base/file.h"
 #include "core/base/message_table.h"
+#include "core/base/resources.h"
+#include "core/base/sha256.h"
+#include "core/export/report.h"
+#include "core/fabric/fabric_builder.h"
 #include "core/formats/formats.h"
 #include "core/machine/checks/report.h"
 #include "core/machine/checks/rules.h"
@@ -25,6 +30,7 @@ struct CheckOptions {
     std::string machine;
     std::vector<std::string> off; ///< RULE=REASON
     std::string format = "text";
+    std::string report; ///< OUT.html or OUT.json
     bool rules = false;
     bool machines = false;
 };
@@ -55,12 +61,36 @@ int listProfiles(const machine::ProfileLibrary& library) {
 struct Outcome {
     CheckedFile checked;
     bool readable = false;
+    std::optional<exports::Knitting> knitting; ///< where a report is wanted
 };
+
+exports::Knitting describe(const machine::Timeline& timeline) {
+    const auto library = yarn::YarnLibrary::read(resourceFolder() / "yarns");
+    print(library.diagnostics());
+    const yarn::YarnLibrary none({});
+    return exports::describe(
+        timeline, fabric::buildFabric(timeline),
+        machine::carrierYarns(timeline.program(), library ? library.value() : none, yarn::defaultYarn()));
+}
+
+/// False, having said why, when it cannot be written.
+bool writeReport(const Outcome& outcome, const std::string& path) {
+    const Result<std::string> bytes = readFile(outcome.checked.file);
+    const auto written = exports::writeReport({.file = outcome.checked.file,
+                                               .sha256 = bytes ? sha256(bytes.value()) : "",
+                                               .knitting = outcome.knitting,
+                                               .checks = outcome.checked.result,
+                                               .version = KNITTSIM_VERSION},
+                                              path);
+    print(written.diagnostics());
+    return written.hasValue();
+}
 
 /// Nothing when the profile cannot be used.
 std::optional<Outcome> checkFile(const std::string& file, const CheckOptions& options,
                                  const machine::ProfileLibrary& library, const std::vector<Waiver>& wanted) {
-    Outcome outcome{.checked = {.file = file, .profile = {}, .result = {}}};
+    Outcome outcome{
+        .checked = {.file = file, .profile = {}, .result = {}}, .readable = false, .knitting = std::nullopt};
     auto program = formats::readProgram(file);
     Diagnostics findings = program.diagnostics();
     std::vector<Waiver> waivers = wanted;
@@ -82,6 +112,9 @@ std::optional<Outcome> checkFile(const std::string& file, const CheckOptions& op
         const machine::Timeline timeline(std::move(program).value(), std::move(profile).value());
         const Diagnostics more = machine::check(timeline);
         findings.insert(findings.end(), more.begin(), more.end());
+        if (!options.report.empty()) {
+            outcome.knitting = describe(timeline);
+        }
     }
     outcome.checked.result = machine::applyWaivers(std::move(findings), waivers);
     return outcome;
@@ -99,6 +132,10 @@ int runCheck(const CheckOptions& options) {
     }
     if (options.files.empty()) {
         fmt::print(stderr, "check: name at least one machine file\n");
+        return kUnusable;
+    }
+    if (!options.report.empty() && options.files.size() != 1) {
+        fmt::print(stderr, "check: --report is about one machine file\n");
         return kUnusable;
     }
     std::vector<Waiver> waivers;
@@ -121,6 +158,9 @@ int runCheck(const CheckOptions& options) {
                         : hasErrors(outcome->checked.result.findings) ? kProblems
                                                                       : kFine;
         code = std::max(code, own);
+        if (!options.report.empty() && !writeReport(*outcome, options.report)) {
+            return kUnusable;
+        }
         checked.push_back(std::move(outcome->checked));
     }
     if (options.format == "json") {
@@ -150,6 +190,7 @@ void addCheck(CLI::App& app, Command& chosen) {
     command->add_option("--format", options->format, "text, json or sarif (2.1.0)")
         ->check(CLI::IsMember({"text", "json", "sarif"}))
         ->capture_default_str();
+    command->add_option("--report", options->report, "also write a report of one file: OUT.html or OUT.json");
     command->add_flag("--rules", options->rules, "list the rules");
     command->add_flag("--machines", options->machines, "list the machines");
     command->callback([&chosen, options] { chosen = [options] { return runCheck(*options); }; });

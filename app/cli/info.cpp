@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/load.h"
+#include "core/export/report.h"
 #include "core/fabric/fabric_builder.h"
 #include "core/fabric/reduction.h"
 #include "core/geometry/curve_report.h"
@@ -9,7 +10,6 @@
 
 #include <map>
 #include <memory>
-#include <set>
 
 namespace knittsim::cli {
 
@@ -25,12 +25,8 @@ nlohmann::ordered_json summarise(const machine::Timeline& timeline, const fabric
     const machine::Program& program = timeline.program();
     nlohmann::ordered_json operations = nlohmann::ordered_json::object();
     std::array<int, machine::kOperationKindCount> counts{};
-    std::set<machine::Needle> needles;
     for (const machine::Operation& op : program.operations) {
         ++counts[static_cast<std::size_t>(op.kind)];
-        if (machine::makesLoop(op.kind)) {
-            needles.insert(op.needle);
-        }
     }
     for (std::size_t kind = 0; kind < counts.size(); ++kind) {
         if (counts[kind] > 0) {
@@ -45,17 +41,16 @@ nlohmann::ordered_json summarise(const machine::Timeline& timeline, const fabric
     for (const fabric::Yarn& yarn : fabric.yarns) {
         yarnLength[program.header.carriers[yarn.carrier].name] += yarn.lengthMm;
     }
-    const auto rear =
-        std::ranges::count_if(needles, [](machine::Needle n) { return !machine::isFront(n.bed); });
+    const exports::Totals totals = exports::countTotals(program, fabric);
     return {{"file", program.file},
-            {"operations", program.operations.size()},
+            {"operations", totals.operations},
             {"operations_by_kind", operations},
             {"carriers", carriers},
-            {"needles", needles.size()},
-            {"front_needles", needles.size() - static_cast<std::size_t>(rear)},
-            {"rear_needles", rear},
-            {"courses", fabric.courseCount},
-            {"loops", fabric.loops.size()},
+            {"needles", totals.needles},
+            {"front_needles", totals.frontNeedles},
+            {"rear_needles", totals.rearNeedles},
+            {"courses", totals.courses},
+            {"loops", totals.loops},
             {"bonding_points", fabric.points.size()},
             {"table_entries", fabric.entryCount},
             {"crossings", fabric.crossings.size()},

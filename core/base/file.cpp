@@ -29,15 +29,18 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxB
     if (!file) {
         return failure("KS0001", path, errno);
     }
+    const Place place{.file = path.string()};
+    const std::string limit = std::to_string(maxBytes);
+    const std::uintmax_t size = std::filesystem::file_size(path, code);
+    if (!code && size > maxBytes) {
+        return Diagnostic{"KS0007", Severity::Error, place, {std::to_string(size), limit}};
+    }
     std::string bytes;
     char block[65536];
     std::size_t count = 0;
     while ((count = std::fread(block, 1, sizeof block, file.get())) > 0) {
         if (bytes.size() + count > maxBytes) {
-            return Diagnostic{"KS0007",
-                              Severity::Error,
-                              Place{.file = path.string()},
-                              {"more than " + std::to_string(bytes.size()), std::to_string(maxBytes)}};
+            return Diagnostic{"KS0007", Severity::Error, place, {"more than " + limit, limit}};
         }
         bytes.append(block, count);
     }

@@ -12,9 +12,10 @@
 namespace knittsim {
 
 /// Largest machine file that is read. 100,000 operations take about 2 MB.
-constexpr std::size_t kMaxFileBytes = std::size_t{256} << 20;
+constexpr std::size_t kMaxFileBytes = std::size_t{32} << 20;
 
-/// Reads a whole file. Errors: KS0001, KS0007 (checked before memory is taken).
+/// Reads a whole file. Errors: KS0001, KS0007 (checked before memory is taken and, for what has no size
+/// beforehand, while reading).
 Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxBytes = kMaxFileBytes);
 
 /// The *.json files of a folder by name, without *.schema.json; empty where there is no such folder.

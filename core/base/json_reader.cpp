@@ -1,5 +1,7 @@
 #include "core/base/json_reader.h"
 
+#include "core/base/text_check.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -70,6 +72,9 @@ Place placeOfByte(std::string_view text, std::size_t byte, const std::string& fi
 } // namespace
 
 Result<json> parseJson(std::string_view text, const std::string& file) {
+    if (auto reason = whyNotText(text, file)) {
+        return std::move(*reason);
+    }
     try {
         return json::parse(text.begin(), text.end());
     } catch (const json::parse_error& error) {
@@ -84,10 +89,10 @@ JsonReader::JsonReader(const json& value, std::string file, Diagnostics& diagnos
     : m_object(&value), m_file(std::move(file)), m_path(std::move(path)), m_diagnostics(&diagnostics) {
     if (!value.is_object()) {
         m_object = &kEmptyObject;
-        diagnostics.push_back({"KS0004",
-                               Severity::Error,
-                               Place{.file = m_file},
-                               {m_path.empty() ? "the file" : m_path, describe(value), "an object"}});
+        add({"KS0004",
+             Severity::Error,
+             Place{.file = m_file},
+             {m_path.empty() ? "the file" : m_path, describe(value), "an object"}});
     }
 }
 
@@ -96,10 +101,19 @@ std::string JsonReader::pathOf(const std::string& key) const {
 }
 
 void JsonReader::report(const std::string& key, std::string found, std::string expected) {
-    m_diagnostics->push_back({"KS0004",
-                              Severity::Error,
-                              Place{.file = m_file},
-                              {pathOf(key), std::move(found), std::move(expected)}});
+    add({"KS0004",
+         Severity::Error,
+         Place{.file = m_file},
+         {pathOf(key), std::move(found), std::move(expected)}});
+}
+
+void JsonReader::add(Diagnostic problem) {
+    if (m_diagnostics->size() < kMaxProblems) {
+        m_diagnostics->push_back(std::move(problem));
+    } else if (m_diagnostics->size() == kMaxProblems) {
+        m_diagnostics->push_back(
+            {"KS0115", Severity::Error, Place{.file = m_file}, {std::to_string(kMaxProblems)}});
+    }
 }
 
 bool JsonReader::has(const std::string& key) const {
@@ -113,7 +127,7 @@ const json* JsonReader::find(const std::string& key, const std::string& expected
     }
     const auto found = m_object->find(key);
     if (found == m_object->end()) {
-        m_diagnostics->push_back({"KS0005", Severity::Error, Place{.file = m_file}, {pathOf(key), expected}});
+        add({"KS0005", Severity::Error, Place{.file = m_file}, {pathOf(key), expected}});
         return nullptr;
     }
     return &*found;

@@ -10,17 +10,20 @@
 
 namespace knittsim {
 
-/// Parses JSON text. Error: KS0003 with line, column (1-based, in bytes) and the parser's words.
+/// Parses JSON text. Errors: those of whyNotText(); KS0003 with line, column (1-based, in bytes) and the
+/// parser's words.
 Result<nlohmann::json> parseJson(std::string_view text, const std::string& file);
 
 /// Reads checked values of one JSON object and gathers everything that is wrong with them.
 ///
 /// Every reading function marks its key as known and returns a harmless value when the key is missing
 /// (KS0005) or its value is wrong (KS0004), so that one pass reports all problems. Keys are reported with
-/// their path, for example "surface.plies"; what lies in a missing or wrong object is not reported again. The
-/// object and the diagnostics must outlive the reader.
+/// their path, for example "surface.plies"; what lies in a missing or wrong object is not reported again.
+/// After kMaxProblems comes KS0115 and nothing more. The object and the diagnostics must outlive the reader.
 class JsonReader {
 public:
+    static constexpr std::size_t kMaxProblems = 20;
+
     JsonReader(const nlohmann::json& value, std::string file, Diagnostics& diagnostics,
                std::string path = {});
 
@@ -50,6 +53,7 @@ public:
     void rejectUnknownKeys();
 
 private:
+    void add(Diagnostic problem);
     const nlohmann::json* find(const std::string& key, const std::string& expected);
     std::string pathOf(const std::string& key) const;
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
-#include <ranges>
 
 namespace knittsim::fabric {
 
@@ -95,12 +94,11 @@ std::int32_t PassingBook::findLast(Strand a, Strand b) const {
     const Strand longer = aIsShorter ? b : a;
     const List& passings = on(shorter);
     const std::size_t reach = std::min(passings.size(), kReach + 1);
-    for (const std::int32_t number : lastOf(passings, reach) | std::views::reverse) {
-        if (number != kBar && at(number).other(shorter) == longer) {
-            return number;
-        }
-    }
-    return -1;
+    const auto latest = lastOf(passings, reach);
+    const auto found = std::find_if(latest.rbegin(), latest.rend(), [&](std::int32_t number) {
+        return number != kBar && at(number).other(shorter) == longer;
+    });
+    return found == latest.rend() ? -1 : *found;
 }
 
 /// The passings on a strand after `number`, but for those right behind it of the same moment. False when they

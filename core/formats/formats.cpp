@@ -1,10 +1,13 @@
 #include "core/formats/formats.h"
 
 #include "core/base/file.h"
+#include "core/base/message_table.h"
+#include "core/base/text_check.h"
 #include "core/formats/kcode/reader.h"
 #include "core/formats/kcode/writer.h"
 #include "core/formats/knitout/reader.h"
 #include "core/formats/knitout/writer.h"
+#include "core/formats/problems.h"
 #include "core/formats/shima_dat/raster.h"
 #include "core/formats/shima_dat/reader.h"
 #include "core/formats/shima_dat/writer.h"
@@ -106,7 +109,7 @@ std::string nameOf(const std::optional<Known>& known, const std::string& extensi
 std::filesystem::path jacquardBeside(std::filesystem::path path) {
     std::error_code error;
     for (const char* extension : {".jac", ".JAC", ".Jac"}) {
-        if (std::filesystem::is_regular_file(path.replace_extension(extension), error)) {
+        if (std::filesystem::exists(path.replace_extension(extension), error)) {
             return path;
         }
     }
@@ -122,7 +125,63 @@ Result<machine::Program> readSintral(std::string_view bytes, const std::filesyst
     if (!text) {
         return Result<machine::Program>::failure(text.diagnostics());
     }
+    if (auto reason = whyNotText(text.value(), jacquard.string())) {
+        return std::move(*reason);
+    }
     return sintral::parse({bytes, path.string()}, {text.value(), jacquard.string()});
+}
+
+const char* describe(Format format) {
+    switch (format) {
+    case Format::Knitout:
+        return "a knitout program";
+    case Format::Kcode:
+        return "Kniterate k-code";
+    case Format::Sintral:
+        return "a Stoll Sintral program";
+    case Format::ShimaDat:
+    case Format::None:
+        break;
+    }
+    return "a Shima DAT picture";
+}
+
+Result<machine::Program> readAs(Format format, std::string_view bytes, const std::filesystem::path& path) {
+    if (format != Format::ShimaDat) {
+        if (auto reason = whyNotText(bytes, path.string())) {
+            return std::move(*reason);
+        }
+    }
+    switch (format) {
+    case Format::Knitout:
+        return knitout::parse(bytes, path.string());
+    case Format::Kcode:
+        return kcode::parse(bytes, path.string());
+    case Format::Sintral:
+        return readSintral(bytes, path);
+    case Format::ShimaDat:
+    case Format::None:
+        break;
+    }
+    return shima_dat::parse(bytes, path.string());
+}
+
+/// For a file of which only its name says that it is of this format: errors without the warnings beside them,
+/// and one finding instead of a list that is full.
+Result<machine::Program> inShort(Result<machine::Program> result, Format format) {
+    if (result) {
+        return result;
+    }
+    Diagnostics errors = result.diagnostics();
+    std::erase_if(errors, [](const Diagnostic& d) { return d.severity != Severity::Error; });
+    if (std::ranges::count(errors, "KS0115", &Diagnostic::id) > 0) {
+        const std::string first = causeText(errors.front());
+        errors = {{"KS0127",
+                   Severity::Error,
+                   errors.front().place,
+                   {describe(format), std::to_string(kMaxErrors), first}}};
+    }
+    return Result<machine::Program>::failure(std::move(errors));
 }
 
 } // namespace
@@ -134,26 +193,19 @@ Result<machine::Program> readProgram(const std::filesystem::path& path) {
     }
     const std::string_view bytes = file.value();
     const std::string extension = lowerExtension(path);
-    std::optional<Known> known = knownByBytes(bytes);
+    std::optional<Known> known = knownByBytes(withoutByteOrderMark(bytes));
+    const bool certain = known.has_value();
     if (!known && extension == kUndocumented) {
         return failure("KS0020", path, "WKT");
     }
     if (!known) {
         known = knownByExtension(extension);
     }
-    switch (known ? known->format : Format::None) {
-    case Format::Knitout:
-        return knitout::parse(bytes, path.string());
-    case Format::ShimaDat:
-        return shima_dat::parse(bytes, path.string());
-    case Format::Kcode:
-        return kcode::parse(bytes, path.string());
-    case Format::Sintral:
-        return readSintral(bytes, path);
-    case Format::None:
-        break;
+    if (!known || known->format == Format::None) {
+        return failure("KS0006", path, nameOf(known, extension));
     }
-    return failure("KS0006", path, nameOf(known, extension));
+    Result<machine::Program> result = readAs(known->format, bytes, path);
+    return certain ? std::move(result) : inShort(std::move(result), known->format);
 }
 
 Result<std::string> writeProgram(const machine::Program& program, const std::filesystem::path& path) {

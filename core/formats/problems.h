@@ -15,7 +15,7 @@ constexpr int kMaxWarnings = 100;
 constexpr int kMaxErrors = 20;
 
 /// Operations and source comments of one program; more end the reading (KS0125). Bounds the memory.
-constexpr std::size_t kMaxOperations = 10'000'000;
+constexpr std::size_t kMaxOperations = 1'000'000;
 
 /// A place in the file that is being read; both 1-based, the column in bytes.
 struct Spot {

@@ -1,10 +1,18 @@
 #include "core/formats/text_lines.h"
 
+#include "core/base/text_check.h"
 #include "core/formats/text.h"
 
 #include <utility>
 
 namespace knittsim::formats {
+
+TextLines::TextLines(std::string_view text, Problems& problems)
+    : m_text(withoutByteOrderMark(text)), m_problems(problems) {
+    if (m_text.size() < text.size()) {
+        m_problems.warn("KS0126", {1, 1});
+    }
+}
 
 bool TextLines::next() {
     while (!m_text.empty() && !m_problems.full()) {

@@ -12,12 +12,12 @@ namespace knittsim::formats {
 constexpr std::size_t kMaxLineBytes = 64 * 1024;
 
 /// The lines of a text file, without their ends. Lines that are no text are said once a kind and skipped
-/// (KS0116, KS0122); in lines that are not UTF-8 each broken byte becomes '?' (KS0113); CR LF is accepted
-/// (KS0112).
+/// (KS0116, KS0122); in lines that are not UTF-8 each broken byte becomes '?' (KS0113); CR LF and
+/// a byte order mark are accepted (KS0112, KS0126).
 class TextLines {
 public:
     /// Both must outlive the lines.
-    TextLines(std::string_view text, Problems& problems) : m_text(text), m_problems(problems) {}
+    TextLines(std::string_view text, Problems& problems);
 
     /// Goes to the next good line. False at the end of the text and when the problems are full.
     bool next();

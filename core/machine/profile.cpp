@@ -91,6 +91,16 @@ ProfileLimits readLimits(JsonReader reader) {
     return limits;
 }
 
+ProfileSpeed readSpeed(JsonReader reader) {
+    ProfileSpeed speed;
+    speed.knitMetresPerSecond = reader.number("knit_m_per_s", 0.01, 10);
+    speed.transferMetresPerSecond = reader.number("transfer_m_per_s", 0.01, 10);
+    speed.turnSeconds = reader.number("turn_s", 0, 60);
+    speed.assumed = false;
+    reader.rejectUnknownKeys();
+    return speed;
+}
+
 /// The length of the bed may be written for the reader's sake; it must agree with needles and gauge.
 void checkBedLength(JsonReader& reader, const MachineProfile& profile) {
     if (!reader.has("bed_length_mm")) {
@@ -138,6 +148,9 @@ MachineProfile readProfile(JsonReader& reader, const std::string& file, Diagnost
     profile.defaultLoopLengthMm = reader.number("default_loop_length_mm", 0.1, kMaxLoopLengthMm);
     profile.stitchTable = readStitchTable(reader, file, diagnostics);
     profile.limits = readLimits(reader.object("limits"));
+    if (reader.has("speed")) {
+        profile.speed = readSpeed(reader.object("speed"));
+    }
     if (reader.has("checks_off")) {
         profile.checksOff = readChecksOff(reader.object("checks_off"));
     }

@@ -23,6 +23,16 @@ struct ProfileLimits {
     bool operator==(const ProfileLimits&) const = default;
 };
 
+/// How fast the carriage works, for estimates of knitting time.
+struct ProfileSpeed {
+    double knitMetresPerSecond = 0.8;     ///< of a stroke that makes stitches
+    double transferMetresPerSecond = 0.5; ///< of a stroke that moves loops
+    double turnSeconds = 0.6;             ///< from stroke to stroke, racking included
+    bool assumed = true;                  ///< the profile names no speed: the values above
+
+    bool operator==(const ProfileSpeed&) const = default;
+};
+
 /// What a machine can do and how much yarn it feeds. Read from resources/machines/*.json.
 struct MachineProfile {
     std::string id;
@@ -45,6 +55,7 @@ struct MachineProfile {
     double defaultLoopLengthMm = 5; ///< yarn in one plain loop where the program names no stitch size
     std::vector<std::pair<double, double>> stitchTable; ///< stitch number -> loop length mm, sorted by number
     ProfileLimits limits;
+    ProfileSpeed speed;
     std::vector<std::pair<std::string, std::string>> checksOff; ///< rule -> reason why it is not checked
 
     double pitchMm() const { return units::kMillimetresPerInch / gauge; }
@@ -59,7 +70,7 @@ struct MachineProfile {
     double extraYarnMm(double wayPitches, bool fromBedToBed) const;
 };
 
-/// Reads and checks one profile. Errors: KS0001, KS0003..KS0005.
+/// Reads and checks one profile. Errors: KS0001, KS0007 and those of parseJson() and JsonReader.
 Result<MachineProfile> readMachineProfile(const std::filesystem::path& path);
 Result<MachineProfile> parseMachineProfile(std::string_view json, const std::string& file);
 

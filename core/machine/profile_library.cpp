@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 #include "core/base/resources.h"
+#include "core/machine/checks/check.h"
 
 #include <algorithm>
 #include <cctype>
@@ -81,20 +82,57 @@ const MachineProfile* ProfileLibrary::findMachine(std::string_view machine) cons
     return byName == m_profiles.end() ? nullptr : &*byName;
 }
 
-std::vector<std::filesystem::path> profileFolders() {
-    std::vector<std::filesystem::path> folders{resourceFolder() / "machines"};
+std::filesystem::path userProfileFolder() {
     const auto variable = [](const char* name) -> std::filesystem::path {
         const char* value = std::getenv(name);
         return value == nullptr ? "" : value;
     };
     if (const auto own = variable("KNITTSIM_MACHINES"); !own.empty()) {
+        return own;
+    }
+    if (const auto config = variable("XDG_CONFIG_HOME"); !config.empty()) {
+        return config / "knittsim" / "machines";
+    }
+    const auto home = variable("HOME");
+    return home.empty() ? home : home / ".config" / "knittsim" / "machines";
+}
+
+std::vector<std::filesystem::path> profileFolders() {
+    std::vector<std::filesystem::path> folders{resourceFolder() / "machines"};
+    if (const auto own = userProfileFolder(); !own.empty()) {
         folders.push_back(own);
-    } else if (const auto config = variable("XDG_CONFIG_HOME"); !config.empty()) {
-        folders.push_back(config / "knittsim" / "machines");
-    } else if (const auto home = variable("HOME"); !home.empty()) {
-        folders.push_back(home / ".config" / "knittsim" / "machines");
     }
     return folders;
+}
+
+Result<MachineProfile> addProfile(const std::filesystem::path& path, const std::filesystem::path& folder) {
+    Result<MachineProfile> profile = readMachineProfile(path);
+    if (!profile) {
+        return profile;
+    }
+    const std::string& id = profile->id;
+    const bool isName = id.front() != '.' && std::ranges::all_of(id, [](unsigned char c) {
+                            return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.';
+                        });
+    if (!isName) {
+        return Diagnostic{"KS0004",
+                          Severity::Error,
+                          Place{.file = path.string()},
+                          {"id", '"' + id + '"', "letters, digits, '-', '_' and '.'"}};
+    }
+    if (const auto off = waiversOf(profile.value()); !off) {
+        return Result<MachineProfile>::failure(off.diagnostics());
+    }
+    const Result<std::string> bytes = readFile(path);
+    if (!bytes) {
+        return Result<MachineProfile>::failure(bytes.diagnostics());
+    }
+    std::error_code code;
+    std::filesystem::create_directories(folder, code);
+    if (const auto written = writeFileAtomically(folder / (id + ".json"), bytes.value()); !written) {
+        return Result<MachineProfile>::failure(written.diagnostics());
+    }
+    return profile;
 }
 
 Result<MachineProfile> chooseProfile(const Program& program, const ProfileLibrary& library,

@@ -30,9 +30,17 @@ private:
     std::vector<MachineProfile> m_profiles;
 };
 
-/// resources/machines, then the user's own: the folder $KNITTSIM_MACHINES, else knittsim/machines in
-/// $XDG_CONFIG_HOME or ~/.config.
+/// The user's own: the folder $KNITTSIM_MACHINES, else knittsim/machines in $XDG_CONFIG_HOME or ~/.config;
+/// empty where none of them is set.
+std::filesystem::path userProfileFolder();
+
+/// resources/machines, then the user's own.
 std::vector<std::filesystem::path> profileFolders();
+
+/// Copies a profile that is without fault into `folder` as ID.json, which is made where it is missing; one of
+/// the same id is replaced. Errors: those of readMachineProfile() and waiversOf(), KS0002, KS0004 for an id
+/// that cannot be a file name.
+Result<MachineProfile> addProfile(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 /// The machine a program is emulated on: `wanted` (an id) where it is not empty, else what ';;Machine:'
 /// names, else the generic one. Where ';;Gauge:' names another gauge, loops and bed gap change in proportion.

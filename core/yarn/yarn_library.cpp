@@ -104,7 +104,7 @@ std::map<std::string, std::string> readSources(JsonReader reader) {
     return sources;
 }
 
-Yarn readYarn(JsonReader& reader) {
+Yarn yarnOf(JsonReader& reader) {
     Yarn yarn;
     yarn.id = reader.text("id");
     yarn.name = reader.text("name");
@@ -150,11 +150,16 @@ Result<Yarn> parseYarn(std::string_view json, const std::string& file) {
     }
     Diagnostics diagnostics;
     JsonReader reader(document.value(), file, diagnostics);
-    Yarn yarn = readYarn(reader);
+    Yarn yarn = yarnOf(reader);
     if (hasErrors(diagnostics)) {
         return Result<Yarn>::failure(std::move(diagnostics));
     }
     return yarn;
+}
+
+Result<Yarn> readYarn(const std::filesystem::path& path) {
+    const Result<std::string> bytes = readFile(path, kMaxYarnBytes);
+    return bytes ? parseYarn(bytes.value(), path.string()) : Result<Yarn>::failure(bytes.diagnostics());
 }
 
 std::string toJson(const Yarn& yarn) {
@@ -206,9 +211,7 @@ Result<YarnLibrary> YarnLibrary::read(const std::filesystem::path& folder) {
         warnings.insert(warnings.end(), softened.begin(), softened.end());
     };
     for (const std::filesystem::path& path : jsonFiles(folder)) {
-        const Result<std::string> bytes = readFile(path, kMaxYarnBytes);
-        const Result<Yarn> yarn =
-            bytes ? parseYarn(bytes.value(), path.string()) : Result<Yarn>::failure(bytes.diagnostics());
+        const Result<Yarn> yarn = readYarn(path);
         warn(yarn.diagnostics());
         if (!yarn) {
             continue;

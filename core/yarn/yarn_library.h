@@ -26,7 +26,8 @@ private:
     std::vector<Yarn> m_yarns;
 };
 
-/// Reads and checks one yarn. Errors: KS0003..KS0005 with the JSON key.
+/// Reads and checks one yarn. Errors: KS0001, KS0007, KS0003..KS0005 with the JSON key.
+Result<Yarn> readYarn(const std::filesystem::path& path);
 Result<Yarn> parseYarn(std::string_view json, const std::string& file);
 
 /// The yarn as JSON text, keys in the order of the files in resources/yarns.

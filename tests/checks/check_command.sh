@@ -73,6 +73,21 @@ says "(machine interpreter)"
 expect 0 --machines
 says "interpreter"
 
+# A report beside the findings changes no exit code.
+report=$(mktemp -d)
+expect 1 "$programs/broken/same-bed.k" --report "$report/a.html"
+grep -q KS0207 "$report/a.html" || { echo "the page does not name KS0207"; bad=1; }
+expect 0 "$programs/broken/same-bed.k" --off "KS0207=tried" --report "$report/a.json"
+grep -q '"off_reason": "tried"' "$report/a.json" || { echo "the report does not name the reason"; bad=1; }
+grep -q "\"$(sha256sum <"$programs/broken/same-bed.k" | cut -c1-64)\"" "$report/a.json" || { echo "wrong hash"; bad=1; }
+expect 2 "$programs/none.k" --report "$report/none.html"
+grep -q KS0001 "$report/none.html" || { echo "no report of what cannot be read"; bad=1; }
+expect 2 "$programs/sound/rows.k" --report "$report/a.pdf"
+says "KS0025"
+expect 2 "$programs/sound/rows.k" "$programs/sound/rib.k" --report "$report/b.html"
+[ ! -e "$report/b.html" ] || bad=1
+rm -r "$report"
+
 expect 0 --rules
 says "KS0235"
 expect 2

@@ -80,7 +80,16 @@ void Document::openText(const QString& title, const QString& knitout) {
     begin({{}, title, knitout});
 }
 
-void Document::begin(const OpenRequest& request) {
+void Document::setMachine(const QString& id) {
+    m_machine = id;
+    emit machineChanged();
+    if (m_file) {
+        begin(m_file->request);
+    }
+}
+
+void Document::begin(OpenRequest request) {
+    request.machine = m_machine;
     m_openingTitle = request.title;
     m_opener.open(request);
     emit openingStarted();
@@ -101,6 +110,7 @@ void Document::take(const std::shared_ptr<const OpenedFile>& file) {
         show(file);
     } else {
         m_failed = file;
+        applyRulesOff();
         emit openFailed();
     }
     emit problemsChanged();
@@ -108,15 +118,22 @@ void Document::take(const std::shared_ptr<const OpenedFile>& file) {
 }
 
 void Document::show(const std::shared_ptr<const OpenedFile>& file) {
+    const bool otherMachine = m_file && m_file->request.path == file->request.path &&
+                              m_file->request.text == file->request.text &&
+                              m_file->timeline->profile().id != file->timeline->profile().id &&
+                              m_carriers.size() == file->carriers.size();
     // A large file takes a while to free; the window need not wait for it.
     QThreadPool::globalInstance()->start(
         [old = std::move(m_file), prefix = std::move(m_prefix), whole = std::move(m_whole)] {});
     m_file = file;
     m_failed.reset();
+    applyRulesOff();
     m_prefixes.cancel();
     m_prefix.reset();
     m_prefixFrame.reset();
-    m_carriers = file->carriers;
+    if (!otherMachine) {
+        m_carriers = file->carriers;
+    }
     m_step = operationCount();
     m_selection = {};
     m_point = -1;
@@ -136,12 +153,31 @@ void Document::show(const std::shared_ptr<const OpenedFile>& file) {
     emit ladderChanged();
 }
 
-const Diagnostics& Document::problems() const {
-    static const Diagnostics kNone;
-    if (m_failed) {
-        return m_failed->diagnostics;
+void Document::applyRulesOff() {
+    const auto file = m_failed ? m_failed : m_file;
+    m_checked = file ? machine::applyWaivers(file->diagnostics, m_rulesOff) : machine::CheckResult{};
+    if (file) {
+        m_checked.waived.insert(m_checked.waived.end(), file->waived.begin(), file->waived.end());
     }
-    return m_file ? m_file->diagnostics : kNone;
+}
+
+void Document::setRulesOff(std::vector<machine::Waiver> rules) {
+    m_rulesOff = std::move(rules);
+    applyRulesOff();
+    emit problemsChanged();
+}
+
+void Document::turnRuleOff(const std::string& rule, const std::string& reason) {
+    std::vector<machine::Waiver> rules = m_rulesOff;
+    std::erase_if(rules, [&](const machine::Waiver& waiver) { return waiver.rule == rule; });
+    rules.push_back({rule, reason});
+    setRulesOff(std::move(rules));
+}
+
+void Document::turnRuleOn(const std::string& rule) {
+    std::vector<machine::Waiver> rules = m_rulesOff;
+    std::erase_if(rules, [&](const machine::Waiver& waiver) { return waiver.rule == rule; });
+    setRulesOff(std::move(rules));
 }
 
 void Document::setStep(OperationIndex count) {

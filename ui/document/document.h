@@ -53,8 +53,21 @@ public:
     std::shared_ptr<const OpenedFile> file() const { return m_file; }
     /// The last file that could not be read, or null when the last opening went well.
     std::shared_ptr<const OpenedFile> failedFile() const { return m_failed; }
-    /// Problems of the last file tried.
-    const Diagnostics& problems() const;
+    /// Problems of the last file tried that count.
+    const Diagnostics& problems() const { return m_checked.findings; }
+    /// Those that do not: rules turned off by the machine profile or by the person, with the reason.
+    const std::vector<machine::Waived>& waived() const { return m_checked.waived; }
+
+    /// Rules that the person turned off, for every file.
+    const std::vector<machine::Waiver>& rulesOff() const { return m_rulesOff; }
+    void setRulesOff(std::vector<machine::Waiver> rules);
+    void turnRuleOff(const std::string& rule, const std::string& reason);
+    void turnRuleOn(const std::string& rule);
+
+    /// Id of the machine profile that was chosen; empty: each file's own.
+    QString chosenMachine() const { return m_machine; }
+    /// Opens the present file on another machine, in the background; the yarns stay.
+    void setMachine(const QString& id);
 
     /// Operations carried out in what is shown; 0 .. operationCount().
     OperationIndex step() const { return m_step; }
@@ -135,7 +148,8 @@ signals:
     void openingEnded(); ///< well, badly or cancelled
     void opened();       ///< another file is shown now
     void openFailed();
-    void problemsChanged();
+    void problemsChanged(); ///< problems(), waived() or rulesOff()
+    void machineChanged();
     void stepChanged();
     void fabricShown(); ///< shownFabric() changed
     void frameShown();  ///< shownFrame() changed
@@ -147,15 +161,16 @@ signals:
     void generationChanged(); ///< load or restart: histories begin anew
     void ladderChanged();     ///< stitchHolder(), unstableLoops(), removedLoops() or laddersRun() changed
     void yarnRunChanged();
-    void nothingRuns();       ///< the answer to removeLadders() when there is nothing to remove
+    void nothingRuns(); ///< the answer to removeLadders() when there is nothing to remove
 
 private:
     friend class YarnCommand;
     friend class LadderCommand;
 
-    void begin(const OpenRequest& request);
+    void begin(OpenRequest request);
     void take(const std::shared_ptr<const OpenedFile>& file);
     void show(const std::shared_ptr<const OpenedFile>& file);
+    void applyRulesOff();
     void select(const Selection& selection);
     void setPoint(fabric::PointIndex point);
     fabric::PointIndex firstPointOf(LoopIndex loop) const;
@@ -178,6 +193,9 @@ private:
     QString m_openingTitle;
     std::shared_ptr<const OpenedFile> m_file;
     std::shared_ptr<const OpenedFile> m_failed;
+    machine::CheckResult m_checked; ///< of m_failed, else of m_file
+    std::vector<machine::Waiver> m_rulesOff;
+    QString m_machine;
     std::shared_ptr<const fabric::Fabric> m_whole; ///< of the whole program; less what has run
     std::vector<CarrierYarn> m_carriers;
     OperationIndex m_step = 0;

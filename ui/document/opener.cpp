@@ -93,17 +93,27 @@ std::shared_ptr<const OpenedFile> openFile(const OpenRequest& request, const yar
     const auto machines = machine::ProfileLibrary::read(machine::profileFolders(), problems);
     take(problems);
     auto profile = machine::chooseProfile(program.value(), machines);
-    take(profile.diagnostics());
-    if (!profile) {
-        return file;
+    file->machineOfFile = QString::fromStdString(profile->name);
+    if (!request.machine.isEmpty()) {
+        auto wanted = machine::chooseProfile(program.value(), machines, request.machine.toStdString());
+        // A profile that is gone does not keep the file from opening.
+        Diagnostics found = wanted.diagnostics();
+        for (Diagnostic& finding : found) {
+            finding.severity = Severity::Warning;
+        }
+        take(found);
+        profile = wanted ? std::move(wanted) : std::move(profile);
+    } else {
+        take(profile.diagnostics());
     }
     file->timeline =
         std::make_shared<machine::Timeline>(std::move(program).value(), std::move(profile).value());
     const auto waivers = machine::waiversOf(file->timeline->profile());
     take(waivers.diagnostics());
-    take(machine::applyWaivers(machine::check(*file->timeline),
-                               waivers ? waivers.value() : std::vector<machine::Waiver>())
-             .findings);
+    machine::CheckResult checked = machine::applyWaivers(
+        machine::check(*file->timeline), waivers ? waivers.value() : std::vector<machine::Waiver>());
+    take(checked.findings);
+    file->waived = std::move(checked.waived);
     tell(OpeningStage::Fabric);
     file->fabric = std::make_shared<fabric::Fabric>(fabric::buildFabric(*file->timeline));
     nameCourses(file->timeline->loops(), *file->fabric, file->diagnostics);

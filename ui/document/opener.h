@@ -3,6 +3,7 @@
 #include "core/base/diagnostic.h"
 #include "core/fabric/fabric.h"
 #include "core/machine/carrier_yarns.h"
+#include "core/machine/checks/check.h"
 #include "core/machine/timeline.h"
 #include "core/yarn/yarn_library.h"
 #include "ui/document/source_text.h"
@@ -21,15 +22,18 @@ using machine::CarrierYarn;
 
 /// What is to be opened: a file, or a text with a title (samples).
 struct OpenRequest {
-    QString path;  ///< empty for a sample
-    QString title; ///< as the window shows it
-    QString text;  ///< knitout of a sample; empty for a file
+    QString path;         ///< empty for a sample
+    QString title;        ///< as the window shows it
+    QString text;         ///< knitout of a sample; empty for a file
+    QString machine = {}; ///< id of the profile; empty: what the file names
 };
 
 /// All that is made from one file, off the window's thread. Immutable.
 struct OpenedFile {
     OpenRequest request;
-    Diagnostics diagnostics; ///< of reading and of the machine
+    Diagnostics diagnostics;             ///< of reading and of the machine
+    std::vector<machine::Waived> waived; ///< by the machine profile
+    QString machineOfFile;               ///< name of the profile that the file itself means
     std::shared_ptr<const SourceText> source;
     std::shared_ptr<const machine::Timeline> timeline; ///< null when the file could not be read
     std::shared_ptr<const fabric::Fabric> fabric;      ///< null with the timeline

@@ -73,6 +73,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     connectDocument();
     connectFabric();
     restoreSession();
+    restoreChecks();
     takeRecentFiles();
     takeActions();
     showGallery();
@@ -148,6 +149,9 @@ void MainWindow::connectDocument() {
                                                       .arg(m_document.problems().size())
                                                 : QString());
     });
+    connect(&m_document, &Document::problemsChanged, this, &MainWindow::saveChecks);
+    connect(&m_document, &Document::machineChanged, this, &MainWindow::saveChecks);
+    connect(m_problems, &DiagnosticsPanel::reportWanted, this, &MainWindow::chooseReportFile);
     connect(m_problems, &DiagnosticsPanel::placeWanted, this, &MainWindow::showPlace);
     connect(m_banner, &Banner::actionWanted, this, [this] {
         m_problemDock->show();

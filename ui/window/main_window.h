@@ -19,6 +19,7 @@ class DiagnosticsPanel;
 class FabricView;
 class Gallery;
 class HistoryCard;
+class MachineChoice;
 class PatternGrid;
 class SimulationPanel;
 class SourceView;
@@ -42,6 +43,10 @@ public:
     void openFile(const QString& path);
     void openSample(const QString& id);
     void applyLayout(Layout layout);
+    /// Copies a machine profile into the user's folder and works on it; says what is wrong otherwise.
+    void addMachine(const QString& path);
+    /// Writes the report of the last file tried, in the background.
+    void exportReport(const QString& path);
 
     static QString openFilter();
 
@@ -97,6 +102,12 @@ private:
     void restoreSession();
     void saveSession();
 
+    // main_window_report.cpp
+    void chooseMachineFile();
+    void chooseReportFile();
+    void restoreChecks();
+    void saveChecks();
+
     document::Document m_document;
     document::Session m_session;
     QWidget* m_workspace = nullptr;
@@ -119,6 +130,7 @@ private:
     QDockWidget* m_problemDock = nullptr;
     QToolBar* m_toolBar = nullptr;
     QToolButton* m_problemButton = nullptr;
+    MachineChoice* m_machine = nullptr;
     QMenu* m_recentMenu = nullptr;
     QString m_nothingRuns;    ///< what the banner last said about ladders
     QByteArray m_arrangement; ///< of the docks while a file is open; empty: m_layout as it comes

@@ -12,6 +12,7 @@
 #include "ui/views/style/icons.h"
 #include "ui/views/yarn_library/yarn_panel.h"
 #include "ui/window/gallery.h"
+#include "ui/window/machine_choice.h"
 #include "ui/window/main_window.h"
 #include "ui/window/sample_card.h"
 
@@ -90,6 +91,8 @@ void MainWindow::buildFileMenu() {
     menu->addSeparator();
     addAction(menu, "actionExportPicture", tr("&Export picture\u2026"), QKeySequence(tr("Ctrl+E")), "picture",
               [this] { exportPicture(); });
+    addAction(menu, "actionExportReport", tr("Export &report\u2026"), QKeySequence(tr("Ctrl+Shift+E")), {},
+              [this] { chooseReportFile(); });
     menu->addSeparator();
     addAction(menu, "actionQuit", tr("&Quit"), QKeySequence(tr("Ctrl+Q")), {},
               [] { QApplication::closeAllWindows(); });
@@ -214,6 +217,8 @@ void MainWindow::buildMachineMenu() {
               [this] { m_document.setStep(0); });
     addAction(menu, "actionLast", tr("To the e&nd of the program"), Qt::Key_End, "last",
               [this] { m_document.setStep(m_document.operationCount()); });
+    menu->addSeparator();
+    addAction(menu, "actionAddMachine", tr("&Add machine\u2026"), {}, {}, [this] { chooseMachineFile(); });
 }
 
 void MainWindow::buildSimulateMenu() {
@@ -318,6 +323,9 @@ void MainWindow::buildToolBar() {
     auto* stretch = new QWidget(m_toolBar);
     stretch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     m_toolBar->addWidget(stretch);
+    m_machine = new MachineChoice(m_document, m_toolBar);
+    connect(m_machine, &MachineChoice::addWanted, this, &MainWindow::chooseMachineFile);
+    m_toolBar->addWidget(m_machine);
     m_problemButton = new QToolButton(m_toolBar);
     m_problemButton->setObjectName(QStringLiteral("problemButton"));
     m_problemButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -358,6 +366,7 @@ void MainWindow::takeActions() {
           "actionBottom", "actionFit", "actionFitChart", "actionCentre", "actionNearer", "actionFarther"}) {
         findChild<QAction*>(QString::fromLatin1(name))->setEnabled(open);
     }
+    findChild<QAction*>(QStringLiteral("actionExportReport"))->setEnabled(open || m_document.failedFile());
     const bool running = m_document.activity() == document::Activity::Settling;
     QAction* run = findChild<QAction*>(QStringLiteral("actionRun"));
     run->setIcon(icon(running ? QStringLiteral("pause") : QStringLiteral("play")));

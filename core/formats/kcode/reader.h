@@ -17,7 +17,7 @@ namespace knittsim::formats::kcode {
 /// found again. Stitch sizes become x-stitch-number, speed and take-down of working passes x-speed-number and
 /// x-roller-advance. Lines between the passes that are none of these become `pause` with their text.
 ///
-/// Errors and warnings: KS0112, KS0113, KS0115, KS0116, KS0121, KS0122, KS0125, KS0140 to KS0146.
+/// Errors and warnings: KS0112, KS0113, KS0115, KS0116, KS0121, KS0122, KS0125, KS0126, KS0140 to KS0146.
 Result<machine::Program> parse(std::string_view text, const std::string& file);
 
 } // namespace knittsim::formats::kcode

@@ -1,6 +1,7 @@
 #include "core/formats/knitout/reader.h"
 
 #include "core/base/file.h"
+#include "core/base/text_check.h"
 #include "core/formats/knitout/header_reader.h"
 #include "core/formats/knitout/operation_reader.h"
 #include "core/formats/problems.h"
@@ -17,7 +18,6 @@ namespace {
 
 constexpr std::string_view kMagic = ";!knitout-";
 constexpr std::string_view kSource = ";!source:";
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr int kKnownVersion = 2;
 constexpr int kMaxVersion = 1'000'000;
 
@@ -89,11 +89,8 @@ Result<machine::Program> Reader::run() {
 
 /// Says so when the first line is not the magic line.
 void Reader::checkFirstLine() {
-    if (startsWith(m_text, kByteOrderMark)) {
-        m_problems.warn("KS0101", {1, 1}, {"a byte order mark"});
-        m_text.remove_prefix(kByteOrderMark.size());
-    }
-    std::string_view line = m_text.substr(0, m_text.find('\n'));
+    const std::string_view text = withoutByteOrderMark(m_text);
+    std::string_view line = text.substr(0, text.find('\n'));
     if (!line.empty() && line.back() == '\r') {
         line.remove_suffix(1);
     }
@@ -197,12 +194,6 @@ void Reader::checkEnd() {
 } // namespace
 
 Result<machine::Program> parse(std::string_view text, const std::string& file) {
-    if (text.size() > kMaxFileBytes) {
-        return Diagnostic{"KS0007",
-                          Severity::Error,
-                          Place{.file = file},
-                          {std::to_string(text.size()), std::to_string(kMaxFileBytes)}};
-    }
     return Reader(text, file).run();
 }
 

@@ -84,6 +84,10 @@ private:
         while (lines.next()) {
             m_lineCount = lines.number();
             readLine(lines.line(), lines.number());
+            if (m_commandCount > kMaxWrittenCommands) {
+                m_problems.error("KS0125", {m_lineCount, 1}, {std::to_string(kMaxWrittenCommands)});
+                return;
+            }
         }
         m_jacquard.finish({std::max(lines.number(), 1), 1}, m_problems);
     }
@@ -105,6 +109,7 @@ private:
         }
         if (parseCommands(text.substr(begin), static_cast<int>(begin) + 1, line, m_problems) &&
             (!line.commands.empty() || line.number >= 0)) {
+            m_commandCount += line.commands.size();
             m_lines.push_back(std::move(line));
         }
     }
@@ -115,6 +120,7 @@ private:
     Problems m_jacquardProblems;
     Jacquard m_jacquard;
     std::vector<Line> m_lines;
+    std::size_t m_commandCount = 0;
     int m_lineCount = 0;
     bool m_badRows = false; ///< one of the jacquard rows in the program is wrong
 };

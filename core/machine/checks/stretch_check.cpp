@@ -110,14 +110,16 @@ private:
         const Needle from = *needleOf(a);
         const Needle to = *needleOf(b);
         const double along = (positionPitches(to, rack) - positionPitches(from, rack)) * m_profile.pitchMm();
-        const double way = std::hypot(along, isFront(from.bed) == isFront(to.bed) ? 0.0 : m_profile.bedGapMm);
+        const double across = isFront(from.bed) == isFront(to.bed) ? 0.0 : m_profile.bedGapMm;
         const double yarn = (loopAt(a).lengthMm + loopAt(b).lengthMm) / 2 + loopAt(b).floatMm;
-        if (way > yarn * m_profile.limits.stretch) {
+        const double longest = yarn * m_profile.limits.stretch;
+        // Squares: a rack asks this of every pair from bed to bed.
+        if (along * along + across * across > longest * longest) {
             m_told[static_cast<std::size_t>(b)] = true;
-            m_findings.report(
-                "KS0235",
-                {toString(from), toString(to), fmt::format("{:.1f}", way), fmt::format("{:.1f}", yarn)},
-                from);
+            m_findings.report("KS0235",
+                              {toString(from), toString(to), fmt::format("{:.1f}", std::hypot(along, across)),
+                               fmt::format("{:.1f}", yarn)},
+                              from);
         }
     }
 

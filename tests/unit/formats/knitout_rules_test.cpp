@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Rule{"MagicWithoutNumber", ";!knitout-two\n;;Carriers: 1\npause\n",
                          warning("KS0101", 1, 1, {"';!knitout-two'"})},
                     Rule{"ByteOrderMark", "\xEF\xBB\xBF" + body("pause\n"),
-                         warning("KS0101", 1, 1, {"a byte order mark"})},
+                         warning("KS0126", 1, 1)},
                     Rule{"NewerVersion", ";!knitout-3\n;;Carriers: 1\npause\n",
                          warning("KS0102", 1, 11, {"3"})},
                     Rule{"WindowsLineEnds", body("pause\r\npause\r\n"), warning("KS0112", 3, 6)},

@@ -101,6 +101,34 @@ TEST_F(Profiles, AFaultyOneIsToldAndLeftOut) {
     EXPECT_EQ(m_problems[0].arguments[0], "speed");
 }
 
+TEST_F(Profiles, AddingCopiesWhatIsWithoutFault) {
+    addOwn("new.txt", "\"id\": \"generic-e15\"", "\"id\": \"mine\"");
+    const fs::path folder = m_own / "made" / "on demand";
+    const auto added = addProfile(m_own / "new.txt", folder);
+    ASSERT_TRUE(added);
+    EXPECT_EQ(added.value().id, "mine");
+    EXPECT_NE(ProfileLibrary::read({folder}, m_problems).find("mine"), nullptr);
+    EXPECT_TRUE(m_problems.empty());
+}
+
+TEST_F(Profiles, AddingRefusesFaultsAndCopiesNothing) {
+    const auto problem = [&](const char* now) {
+        addOwn("new.txt", "\"id\": \"generic-e15\"", now);
+        const auto added = addProfile(m_own / "new.txt", m_own / "made");
+        return added ? "added"
+                     : added.diagnostics().front().id + ' ' + added.diagnostics().front().arguments[0];
+    };
+    EXPECT_EQ(problem("\"id\": \"../up\""), "KS0004 id");
+    EXPECT_EQ(problem("\"id\": \".hidden\""), "KS0004 id");
+    EXPECT_EQ(problem("\"id\": \"a\", \"gauges\": 1"), "KS0004 gauges");
+    EXPECT_EQ(problem("\"id\": \"a\", \"checks_off\": {\"no-such-rule\": \"why\"}"), "KS0008 rule");
+    EXPECT_FALSE(fs::exists(m_own / "made"));
+    EXPECT_EQ(addProfile(m_own / "none", m_own / "made").diagnostics().front().id, "KS0001");
+    std::ofstream(m_own / "file") << "no folder";
+    addOwn("new.txt", "\"id\": \"generic-e15\"", "\"id\": \"a\"");
+    EXPECT_EQ(addProfile(m_own / "new.txt", m_own / "file").diagnostics().front().id, "KS0002");
+}
+
 TEST_F(Profiles, AMissingFolderIsEmpty) {
     fs::remove_all(m_own);
     EXPECT_NE(read().find("generic-e15"), nullptr);

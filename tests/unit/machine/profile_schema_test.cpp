@@ -20,6 +20,13 @@ json readJson(const char* name) {
     return json::parse(in);
 }
 
+/// With all objects that a profile may have.
+json genericWithSpeed() {
+    json profile = readJson("generic-e15.json");
+    profile["speed"] = {{"knit_m_per_s", 1.0}, {"transfer_m_per_s", 0.5}, {"turn_s", 0.5}};
+    return profile;
+}
+
 std::string firstProblem(const json& profile) {
     const auto result = parseMachineProfile(profile.dump(), "changed.json");
     return result ? ""
@@ -29,14 +36,14 @@ std::string firstProblem(const json& profile) {
 /// Calls test(object of the profile, its schema, path) for the profile itself and the objects in it.
 template<class Test> void forObjects(json& profile, const json& schema, Test test) {
     test(profile, schema, std::string());
-    for (const char* key : {"rack", "limits"}) {
+    for (const char* key : {"rack", "limits", "speed"}) {
         test(profile[key], schema["properties"][key], std::string(key) + '.');
     }
     test(profile["stitch_table"][0], schema["properties"]["stitch_table"]["items"], "stitch_table.0.");
 }
 
 TEST(ProfileSchema, RequiresWhatTheReaderRequires) {
-    json profile = readJson("generic-e15.json");
+    json profile = genericWithSpeed();
     const json schema = readJson("machine.schema.json");
     forObjects(profile, schema, [&](json& object, const json& part, const std::string& path) {
         for (const auto& [key, value] : part["properties"].items()) {
@@ -54,7 +61,7 @@ TEST(ProfileSchema, RequiresWhatTheReaderRequires) {
 }
 
 TEST(ProfileSchema, KnowsNoKeyThatTheReaderDoesNot) {
-    json profile = readJson("generic-e15.json");
+    json profile = genericWithSpeed();
     profile["machine_names"] = {"Some*"};
     profile["checks_off"] = {{"long-float", "why not"}};
     profile["note"] = "all keys at once";
@@ -67,7 +74,7 @@ TEST(ProfileSchema, KnowsNoKeyThatTheReaderDoesNot) {
 }
 
 TEST(ProfileSchema, HasTheLimitsOfTheReader) {
-    json profile = readJson("generic-e15.json");
+    json profile = genericWithSpeed();
     const json schema = readJson("machine.schema.json");
     int limits = 0;
     forObjects(profile, schema, [&](json& object, const json& part, const std::string& path) {

@@ -57,6 +57,19 @@ TEST(Profile, ReadsEveryKey) {
     EXPECT_DOUBLE_EQ(profile.bedLengthMm(), 635) << "300 needles of 12 to the inch";
 }
 
+TEST(Profile, TheSpeedIsAssumedUnlessTheProfileNamesIt) {
+    EXPECT_TRUE(parseMachineProfile(kGood, "own.json")->speed.assumed);
+    const std::string limits = "\"limits\"";
+    const std::string speed =
+        R"("speed": {"knit_m_per_s": 1.2, "transfer_m_per_s": 0.4, "turn_s": 0}, "limits")";
+    const auto own = parseMachineProfile(replaced(kGood, limits, speed), "own.json");
+    ASSERT_TRUE(own);
+    EXPECT_EQ(own.value().speed, (ProfileSpeed{1.2, 0.4, 0, false}));
+    EXPECT_EQ(
+        problemOf(limits, R"("speed": {"knit_m_per_s": 0, "transfer_m_per_s": 1, "turn_s": 0}, "limits")"),
+        "KS0004 speed.knit_m_per_s");
+}
+
 TEST(Profile, AWayTakesYarnBeyondThePlainSinker) {
     MachineProfile profile;
     profile.gauge = 25.4; // pitch 1 mm

@@ -16,6 +16,15 @@ void DiagnosticsFilter::showRule(const QString& rule) {
     invalidateFilter();
 }
 
+void DiagnosticsFilter::showOff(bool shown) {
+    m_off = shown;
+    invalidateFilter();
+}
+
+QString DiagnosticsFilter::offReason(const QModelIndex& index) const {
+    return static_cast<const DiagnosticsModel*>(sourceModel())->offReason(mapToSource(index).row());
+}
+
 const Diagnostic& DiagnosticsFilter::problemAt(const QModelIndex& index) const {
     return sourceProblem(mapToSource(index).row());
 }
@@ -27,6 +36,7 @@ const Diagnostic& DiagnosticsFilter::sourceProblem(int row) const {
 bool DiagnosticsFilter::filterAcceptsRow(int row, const QModelIndex&) const {
     const Diagnostic& problem = sourceProblem(row);
     return m_shown[static_cast<std::size_t>(problem.severity)] &&
+           (m_off || static_cast<const DiagnosticsModel*>(sourceModel())->offReason(row).isEmpty()) &&
            (m_rule.isEmpty() || m_rule == QLatin1String(problem.id.c_str()));
 }
 

@@ -19,8 +19,12 @@ public:
     void showSeverity(Severity severity, bool shown);
     /// Shows only this rule; all rules when empty.
     void showRule(const QString& rule);
+    /// Also those that do not count.
+    void showOff(bool shown);
 
     const Diagnostic& problemAt(const QModelIndex& index) const;
+    /// Why it does not count; empty where it does.
+    QString offReason(const QModelIndex& index) const;
 
 protected:
     bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
@@ -31,6 +35,7 @@ private:
 
     std::array<bool, 3> m_shown{true, true, true}; ///< by Severity
     QString m_rule;
+    bool m_off = false;
 };
 
 } // namespace knittsim::ui

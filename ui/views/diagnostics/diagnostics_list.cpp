@@ -1,6 +1,7 @@
 #include "ui/views/diagnostics/diagnostics_list.h"
 
 #include "core/base/message_table.h"
+#include "core/machine/checks/rules.h"
 
 #include <QClipboard>
 #include <QContextMenuEvent>
@@ -34,8 +35,8 @@ DiagnosticsList::DiagnosticsList(QWidget* parent) : QTreeView(parent) {
     connect(this, &QTreeView::doubleClicked, this, &DiagnosticsList::showPlace);
 }
 
-void DiagnosticsList::setProblems(const Diagnostics& problems) {
-    m_model.setProblems(problems);
+void DiagnosticsList::setProblems(const Diagnostics& problems, const std::vector<machine::Waived>& waived) {
+    m_model.setProblems(problems, waived);
     for (const int column : {DiagnosticsModel::Kind, DiagnosticsModel::Where}) {
         resizeColumnToContents(column);
         setColumnWidth(column, columnWidth(column) + 12);
@@ -71,7 +72,10 @@ QString DiagnosticsList::asText() const {
     std::sort(rows.begin(), rows.end());
     QStringList lines;
     for (const QModelIndex& row : rows) {
-        lines << QString::fromStdString(toLine(m_filter.problemAt(row)));
+        const QString reason = m_filter.offReason(row);
+        lines << QString::fromStdString(toLine(m_filter.problemAt(row))) +
+                     (reason.isEmpty() ? QString()
+                                       : QStringLiteral(" (") + tr("turned off: %1").arg(reason) + u')');
     }
     return lines.join(u'\n');
 }
@@ -87,11 +91,20 @@ void DiagnosticsList::contextMenuEvent(QContextMenuEvent* event) {
     show->setEnabled(at.isValid());
     QAction* copyText = menu.addAction(tr("&Copy as text"));
     copyText->setEnabled(problemCount() > 0);
+    const QString rule = at.isValid() ? QString::fromStdString(m_filter.problemAt(at).id) : QString();
+    const bool off = at.isValid() && !m_filter.offReason(at).isEmpty();
+    menu.addSeparator();
+    QAction* turn =
+        menu.addAction(off ? tr("Turn rule %1 &on again").arg(rule) : tr("Turn &off this rule\u2026"));
+    turn->setObjectName(QStringLiteral("actionTurnRule"));
+    turn->setEnabled(at.isValid() && machine::findRule(rule.toStdString()) != nullptr);
     const QAction* chosen = menu.exec(event->globalPos());
     if (chosen == show) {
         showPlace(at);
     } else if (chosen == copyText) {
         copy();
+    } else if (chosen == turn) {
+        off ? emit onWanted(rule) : emit offWanted(rule);
     }
 }
 

@@ -15,7 +15,7 @@ class DiagnosticsList : public QTreeView {
 public:
     explicit DiagnosticsList(QWidget* parent = nullptr);
 
-    void setProblems(const Diagnostics& problems);
+    void setProblems(const Diagnostics& problems, const std::vector<machine::Waived>& waived);
     DiagnosticsFilter& filter() { return m_filter; }
 
     /// Rows that are shown.
@@ -29,6 +29,8 @@ public:
 
 signals:
     void placeWanted(const knittsim::Diagnostic& problem);
+    void offWanted(const QString& rule); ///< turn this rule off
+    void onWanted(const QString& rule);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -8,21 +8,6 @@
 
 namespace knittsim::ui {
 
-namespace {
-
-QString textOf(const Diagnostic& problem, int column) {
-    switch (column) {
-    case DiagnosticsModel::Kind:
-        return document::severityText(problem.severity) + u' ' + QString::fromStdString(problem.id);
-    case DiagnosticsModel::Where:
-        return document::placeText(problem.place);
-    default:
-        return (document::causeText(problem) + u' ' + document::cureText(problem)).trimmed();
-    }
-}
-
-} // namespace
-
 QIcon severityIcon(Severity severity) {
     const Accents accents = accentsOf(QGuiApplication::palette());
     switch (severity) {
@@ -36,10 +21,34 @@ QIcon severityIcon(Severity severity) {
     return icon(QStringLiteral("info"), accents.busy);
 }
 
-void DiagnosticsModel::setProblems(const Diagnostics& problems) {
+void DiagnosticsModel::setProblems(const Diagnostics& problems, const std::vector<machine::Waived>& waived) {
     beginResetModel();
     m_problems = problems;
+    m_reasons.clear();
+    for (const machine::Waived& problem : waived) {
+        m_problems.push_back(problem.finding);
+        m_reasons << QString::fromStdString(problem.reason);
+    }
     endResetModel();
+}
+
+QString DiagnosticsModel::offReason(int row) const {
+    return m_reasons.value(row - (static_cast<int>(m_problems.size()) - static_cast<int>(m_reasons.size())));
+}
+
+QString DiagnosticsModel::textOf(int row, int column) const {
+    const Diagnostic& problem = m_problems[static_cast<std::size_t>(row)];
+    const QString reason = offReason(row);
+    switch (column) {
+    case Kind:
+        return (reason.isEmpty() ? document::severityText(problem.severity) : tr("Off")) + u' ' +
+               QString::fromStdString(problem.id);
+    case Where:
+        return document::placeText(problem.place);
+    default:
+        return (reason.isEmpty() ? QString() : tr("Turned off: %1.").arg(reason) + u' ') +
+               (document::causeText(problem) + u' ' + document::cureText(problem)).trimmed();
+    }
 }
 
 int DiagnosticsModel::rowCount(const QModelIndex& parent) const {
@@ -55,7 +64,7 @@ QVariant DiagnosticsModel::data(const QModelIndex& index, int role) const {
     switch (role) {
     case Qt::DisplayRole:
     case Qt::ToolTipRole:
-        return textOf(problem, index.column());
+        return textOf(index.row(), index.column());
     case Qt::DecorationRole:
         return index.column() == Kind ? QVariant(severityIcon(problem.severity)) : QVariant();
     default:

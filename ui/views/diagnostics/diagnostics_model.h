@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/diagnostic.h"
+#include "core/machine/checks/check.h"
 
 #include <QAbstractTableModel>
 
@@ -20,8 +20,12 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    void setProblems(const Diagnostics& problems);
+    /// Those that count, then those that do not.
+    void setProblems(const Diagnostics& problems, const std::vector<machine::Waived>& waived);
     const Diagnostics& problems() const { return m_problems; }
+
+    /// Why the problem of this row does not count; empty where it does.
+    QString offReason(int row) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -29,7 +33,10 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    QString textOf(int row, int column) const;
+
     Diagnostics m_problems;
+    QStringList m_reasons; ///< of the last rows
 };
 
 } // namespace knittsim::ui

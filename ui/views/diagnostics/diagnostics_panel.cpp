@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QInputDialog>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -39,7 +40,8 @@ QString objectNameOf(Severity severity) {
 } // namespace
 
 DiagnosticsPanel::DiagnosticsPanel(document::Document& document, QWidget* parent)
-    : QWidget(parent), m_document(document), m_list(new DiagnosticsList(this)), m_rules(new QComboBox(this)) {
+    : QWidget(parent), m_document(document), m_list(new DiagnosticsList(this)), m_rules(new QComboBox(this)),
+      m_off(new QToolButton(this)), m_report(new QToolButton(this)) {
     auto* bar = new QHBoxLayout;
     bar->setContentsMargins(4, 2, 4, 2);
     for (const Severity severity : kWorstFirst) {
@@ -49,6 +51,7 @@ DiagnosticsPanel::DiagnosticsPanel(document::Document& document, QWidget* parent
         button->setChecked(true);
         button->setAutoRaise(true);
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setToolTip(tr("Shows or hides these problems"));
         connect(button, &QToolButton::toggled, this,
                 [this, severity](bool shown) { m_list->filter().showSeverity(severity, shown); });
         m_severities[static_cast<std::size_t>(severity)] = button;
@@ -60,13 +63,29 @@ DiagnosticsPanel::DiagnosticsPanel(document::Document& document, QWidget* parent
     m_rules->setMinimumContentsLength(12);
     connect(m_rules, &QComboBox::currentIndexChanged, this,
             [this] { m_list->filter().showRule(m_rules->currentData().toString()); });
+    m_rules->setToolTip(tr("Shows the problems of one rule only"));
     bar->addWidget(m_rules, 1);
+    m_off->setObjectName(QStringLiteral("showOff"));
+    m_off->setCheckable(true);
+    m_off->setAutoRaise(true);
+    m_off->setToolTip(tr("Shows the problems of rules that are turned off, with the reason"));
+    connect(m_off, &QToolButton::toggled, this, [this](bool shown) { m_list->filter().showOff(shown); });
+    bar->addWidget(m_off);
+    m_report->setObjectName(QStringLiteral("exportReport"));
+    m_report->setAutoRaise(true);
+    m_report->setText(tr("Export report\u2026"));
+    m_report->setToolTip(tr("Writes machine, sizes, yarn, time and all problems to a file (Ctrl+Shift+E)"));
+    connect(m_report, &QToolButton::clicked, this, &DiagnosticsPanel::reportWanted);
+    bar->addWidget(m_report);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(bar);
     layout->addWidget(m_list, 1);
     connect(m_list, &DiagnosticsList::placeWanted, this, &DiagnosticsPanel::placeWanted);
+    connect(m_list, &DiagnosticsList::offWanted, this, &DiagnosticsPanel::askToTurnOff);
+    connect(m_list, &DiagnosticsList::onWanted, this,
+            [this](const QString& rule) { m_document.turnRuleOn(rule.toStdString()); });
     connect(&m_document, &document::Document::problemsChanged, this, &DiagnosticsPanel::takeProblems);
     takeProblems();
 }
@@ -81,13 +100,36 @@ void DiagnosticsPanel::takeProblems() {
         button->setEnabled(count > 0);
     }
     takeRules();
-    m_list->setProblems(problems);
+    const auto off = static_cast<int>(m_document.waived().size());
+    m_off->setText(tr("%1 turned off").arg(off));
+    m_off->setEnabled(off > 0);
+    m_report->setEnabled(m_document.file() || m_document.failedFile());
+    m_list->setProblems(problems, m_document.waived());
+}
+
+void DiagnosticsPanel::askToTurnOff(const QString& rule) {
+    auto* dialog = new QInputDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setObjectName(QStringLiteral("turnOffDialog"));
+    dialog->setWindowTitle(tr("Turn off a rule"));
+    dialog->setLabelText(
+        tr("%1 will not count in any file. Why not? The reason stays with the problems.").arg(rule));
+    dialog->setOkButtonText(tr("Turn off"));
+    connect(dialog, &QInputDialog::textValueSelected, this, [this, rule](const QString& reason) {
+        if (const QString text = reason.simplified(); !text.isEmpty()) {
+            m_document.turnRuleOff(rule.toStdString(), text.toStdString());
+        }
+    });
+    dialog->open();
 }
 
 void DiagnosticsPanel::takeRules() {
     std::map<std::string, int> counts;
     for (const Diagnostic& problem : m_document.problems()) {
         ++counts[problem.id];
+    }
+    for (const machine::Waived& waived : m_document.waived()) {
+        ++counts[waived.finding.id];
     }
     const QSignalBlocker quiet(m_rules);
     m_rules->clear();

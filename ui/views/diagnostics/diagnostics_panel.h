@@ -25,14 +25,18 @@ public:
 
 signals:
     void placeWanted(const knittsim::Diagnostic& problem);
+    void reportWanted();
 
 private:
     void takeProblems();
     void takeRules();
+    void askToTurnOff(const QString& rule);
 
     document::Document& m_document;
     DiagnosticsList* m_list;
     QComboBox* m_rules;
+    QToolButton* m_off;
+    QToolButton* m_report;
     std::array<QToolButton*, 3> m_severities{}; ///< by Severity
 };
 

@@ -1,5 +1,6 @@
 #include "ui/views/pattern_editor/pattern_grid.h"
 
+#include "ui/document/message_text.h"
 #include "ui/document/operation_text.h"
 
 #include <QAccessible>
@@ -42,6 +43,7 @@ PatternGrid::PatternGrid(document::Document& document, QWidget* parent)
     connect(&m_document, &document::Document::stepChanged, this, &PatternGrid::takeStep);
     connect(&m_document, &document::Document::selectionChanged, this, &PatternGrid::takeSelection);
     connect(&m_document, &document::Document::yarnsChanged, this, &PatternGrid::takeYarns);
+    connect(&m_document, &document::Document::problemsChanged, this, &PatternGrid::takeProblems);
     takeFile();
 }
 
@@ -97,6 +99,30 @@ void PatternGrid::takeYarns() {
         m_colours.emplace_back(c.r, c.g, c.b);
     }
     viewport()->update();
+}
+
+void PatternGrid::takeProblems() {
+    m_problems.clear();
+    const auto file = m_document.file();
+    for (const Diagnostic& problem : m_document.problems()) {
+        const auto operation = problem.place.operation;
+        // Notes are not marked, nor what belongs to a file that is not shown.
+        if (!file || m_document.failedFile() || operation < 0 || problem.severity == Severity::Info) {
+            continue;
+        }
+        const LoopIndex loop = document::firstLoopOf(file->timeline->loops(), operation);
+        const auto [at, first] = m_problems.try_emplace(loop, problem);
+        if (!first && problem.severity > at->second.severity) {
+            at->second = problem;
+        }
+    }
+    m_problems.erase(-1);
+    viewport()->update();
+}
+
+const Diagnostic* PatternGrid::problemAt(LoopIndex loop) const {
+    const auto found = m_problems.find(loop);
+    return found == m_problems.end() ? nullptr : &found->second;
 }
 
 QColor PatternGrid::colourOf(LoopIndex loop) const {
@@ -194,7 +220,12 @@ QString PatternGrid::textAt(QPoint position) const {
     }
     const machine::Program& program = file->timeline->program();
     if (const LoopIndex loop = loopAt(position); loop >= 0) {
-        return document::stitchText(program, file->timeline->loops(), *grid(), loop);
+        const QString stitch = document::stitchText(program, file->timeline->loops(), *grid(), loop);
+        const Diagnostic* problem = problemAt(loop);
+        return problem == nullptr ? stitch
+                                  : stitch + u'\n' + document::severityText(problem->severity) + u' ' +
+                                        QString::fromStdString(problem->id) + QStringLiteral(": ") +
+                                        document::causeText(*problem);
     }
     const ChartGeometry::Cell at = m_chart.cellAt(position);
     const std::int32_t column = at.column + grid()->firstColumn();

@@ -149,6 +149,24 @@ void PatternGrid::paintMarker(QPainter& painter, LoopIndex loop, const QColor& c
     painter.drawRoundedRect(rect, 2, 2);
 }
 
+/// A corner in the colour of the severity, on a rim that stands out from any yarn.
+void PatternGrid::paintProblems(QPainter& painter) const {
+    const Accents accents = accentsOf(palette());
+    const QRect area = m_chart.chartArea();
+    painter.setRenderHint(QPainter::Antialiasing, true);
+    for (const auto& [loop, problem] : m_problems) {
+        const QRectF cell = rectOf(loop);
+        if (!area.intersects(cell.toRect())) {
+            continue;
+        }
+        const double size = std::max(7.0, 0.6 * std::min(cell.width(), cell.height()));
+        const QPointF corner = cell.topRight();
+        painter.setPen(QPen(palette().color(QPalette::Base), 1));
+        painter.setBrush(problem.severity == Severity::Error ? accents.error : accents.warning);
+        painter.drawPolygon(QPolygonF{{corner, corner - QPointF(size, 0), corner + QPointF(0, size)}});
+    }
+}
+
 void PatternGrid::paintHeaders(QPainter& painter) const {
     const QRect area = m_chart.chartArea();
     const QColor ground = palette().color(QPalette::Window);
@@ -223,6 +241,7 @@ void PatternGrid::paintEvent(QPaintEvent*) {
     paintGrounds(painter);
     paintLines(painter);
     paintSymbols(painter);
+    paintProblems(painter);
     if (m_hover >= 0) {
         paintMarker(painter, m_hover, palette().color(QPalette::Highlight).lighter(120), 1);
     }
