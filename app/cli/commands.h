@@ -16,6 +16,7 @@ constexpr int kUnusable = 2; ///< cannot read, cannot write, bad usage
 using Command = std::function<int()>;
 void addCheck(CLI::App& app, Command& chosen);
 void addConvert(CLI::App& app, Command& chosen);
+void addExport(CLI::App& app, Command& chosen);
 void addInfo(CLI::App& app, Command& chosen);
 void addPull(CLI::App& app, Command& chosen);
 void addRelax(CLI::App& app, Command& chosen);

@@ -72,6 +72,15 @@ void addReduction(CLI::App& command, LoadOptions& options) {
         ->needs(reduce);
 }
 
+void addFabric(CLI::App& command, LoadOptions& options) {
+    command.add_option("--step", options.step, "the fabric after N operations")
+        ->check(CLI::NonNegativeNumber);
+    command.add_option("--yarn", options.yarns, "CARRIER=ID: yarn of a carrier, from the library");
+    command.add_option("--loop-length", options.loopLengthMm, "MM of yarn in every loop")
+        ->check(CLI::Range(0.1, 200.0));
+    addReduction(command, options);
+}
+
 std::shared_ptr<const machine::Timeline> loadTimeline(const LoadOptions& options) {
     auto program = formats::readProgram(options.file);
     print(program.diagnostics());

@@ -34,6 +34,9 @@ struct Loaded {
 /// --reduce and --no-stitch-holder.
 void addReduction(CLI::App& command, LoadOptions& options);
 
+/// What a picture or an export may choose: --step, --yarn, --loop-length and the reduction.
+void addFabric(CLI::App& command, LoadOptions& options);
+
 /// Prints diagnostics to stderr. Returns nothing when the file or an option cannot be used.
 std::shared_ptr<const machine::Timeline> loadTimeline(const LoadOptions& options);
 std::optional<Loaded> load(const LoadOptions& options);

@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
     addRelax(app, chosen);
     addPull(app, chosen);
     addRender(app, chosen);
+    addExport(app, chosen);
     addConvert(app, chosen);
     try {
         app.parse(argc, argv);

@@ -1,18 +1,14 @@
 #include "app/cli/commands.h"
-#include "app/cli/deadline.h"
 #include "app/cli/load.h"
+#include "app/cli/settle.h"
 #include "core/base/message_table.h"
-#include "core/simulation/simulation.h"
-#include "core/simulation/yarn_settling.h"
 #include "ui/render/offscreen.h"
 
 #include <fmt/core.h>
 
 #include <cstdio>
-#include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace knittsim::cli {
@@ -23,12 +19,11 @@ constexpr int kMaxPixels = 8192;
 
 struct RenderOptions {
     LoadOptions load;
+    SettleOptions settle;
     std::string picture;
     render::DrawStyle style = render::DrawStyle::Yarn;
     render::ViewSide side = render::ViewSide::Front;
     std::string size = "1280x800";
-    std::string relax = "bonding-points";
-    double maxSeconds = 60;
     bool dark = false;
     bool transparent = false;
 };
@@ -38,28 +33,6 @@ bool parseSize(const std::string& text, int& width, int& height) {
     return std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) == 2 &&
            static_cast<std::size_t>(used) == text.size() && width > 0 && height > 0 && width <= kMaxPixels &&
            height <= kMaxPixels;
-}
-
-std::vector<float> settledPositions(const Loaded& loaded, double maxSeconds) {
-    simulation::Simulation simulation;
-    simulation.apply(
-        simulation::command::Load{.fabric = loaded.fabric, .yarns = loaded.yarns, .generation = 1});
-    simulation.apply(simulation::command::Start{});
-    simulation.runToEnd(maxSeconds);
-    return simulation.frame().positions;
-}
-
-/// Curves of the yarn model at rest on a table.
-std::optional<geometry::YarnCurves> settledCurves(const Loaded& loaded, double maxSeconds) {
-    const Deadline deadline(maxSeconds);
-    simulation::YarnSettling settling(*loaded.fabric, loaded.yarns, {});
-    if (*settling.problem() != '\0') {
-        fmt::print(stderr, "--relax yarn: {}\n", settling.problem());
-        return std::nullopt;
-    }
-    while (settling.step(physics::Interrupt(&deadline.late()))) {
-    }
-    return settling.curves();
 }
 
 void print(const Diagnostics& diagnostics) {
@@ -74,7 +47,7 @@ int runRender(const RenderOptions& options) {
         fmt::print(stderr, "--size '{}': expected WxH, each from 1 to {}\n", options.size, kMaxPixels);
         return kUnusable;
     }
-    if (options.relax == "yarn" && options.style == render::DrawStyle::Mesh) {
+    if (options.settle.relax == "yarn" && options.style == render::DrawStyle::Mesh) {
         fmt::print(stderr, "--style mesh shows bonding points; --relax yarn settles yarn curves\n");
         return kUnusable;
     }
@@ -82,19 +55,13 @@ int runRender(const RenderOptions& options) {
     if (!loaded) {
         return kUnusable;
     }
-    std::optional<geometry::YarnCurves> curves;
-    std::vector<float> positions;
-    if (options.relax == "yarn") {
-        curves = settledCurves(*loaded, options.maxSeconds);
-        if (!curves) {
-            return kUnusable;
-        }
-        request.curves = &*curves;
-    } else if (options.relax == "bonding-points") {
-        positions = settledPositions(*loaded, options.maxSeconds);
+    const auto settled = settle(*loaded, options.settle);
+    if (!settled) {
+        return kUnusable;
     }
+    request.curves = settled->curves ? &*settled->curves : nullptr;
+    request.positions = settled->places;
     request.fabric = loaded->fabric.get();
-    request.positions = positions;
     for (const yarn::Yarn& yarn : loaded->yarns) {
         request.looks.push_back(render::lookOf(yarn));
     }
@@ -131,18 +98,8 @@ void addRender(CLI::App& app, Command& chosen) {
         ->transform(CLI::CheckedTransformer(kStyles));
     command->add_option("--side", options->side, "front or back")->transform(CLI::CheckedTransformer(kSides));
     command->add_option("--size", options->size, "WxH in pixels")->capture_default_str();
-    command->add_option("--relax", options->relax, "settle before drawing")
-        ->check(CLI::IsMember({"none", "bonding-points", "yarn"}))
-        ->capture_default_str();
-    command->add_option("--max-seconds", options->maxSeconds, "time limit of settling")
-        ->check(CLI::Range(0.0, 1e6))
-        ->capture_default_str();
-    command->add_option("--step", options->load.step, "draw the fabric after N operations")
-        ->check(CLI::NonNegativeNumber);
-    command->add_option("--yarn", options->load.yarns, "CARRIER=ID: yarn of a carrier, from the library");
-    command->add_option("--loop-length", options->load.loopLengthMm, "MM of yarn in every loop")
-        ->check(CLI::Range(0.1, 200.0));
-    addReduction(*command, options->load);
+    addSettling(*command, options->settle);
+    addFabric(*command, options->load);
     command->add_flag("--dark", options->dark, "dark background");
     command->add_flag("--transparent", options->transparent, "no background");
     command->callback([&chosen, options] { chosen = [options] { return runRender(*options); }; });

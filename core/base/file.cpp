@@ -1,12 +1,13 @@
 #include "core/base/file.h"
 
+#include "core/base/atomic_file.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <system_error>
-#include <unistd.h>
 
 namespace knittsim {
 
@@ -64,46 +65,10 @@ std::vector<std::filesystem::path> jsonFiles(const std::filesystem::path& folder
     return paths;
 }
 
-Result<Written> writeFileAtomically(const std::filesystem::path& wanted, std::string_view bytes) {
-    // A symbolic link stays one: its target is replaced.
-    std::error_code code;
-    const std::filesystem::path path =
-        std::filesystem::is_symlink(wanted, code) ? std::filesystem::weakly_canonical(wanted, code) : wanted;
-    std::string temporary = path.string() + ".XXXXXX";
-    const int descriptor = ::mkstemp(temporary.data());
-    if (descriptor < 0) {
-        return failure("KS0002", path, errno);
-    }
-    int error = 0;
-    std::size_t done = 0;
-    while (done < bytes.size() && error == 0) {
-        const ssize_t count = ::write(descriptor, bytes.data() + done, bytes.size() - done);
-        if (count < 0 && errno != EINTR) {
-            error = errno;
-        }
-        done += count > 0 ? static_cast<std::size_t>(count) : 0;
-    }
-    if (error == 0 && ::fsync(descriptor) != 0) {
-        error = errno;
-    }
-    if (::close(descriptor) != 0 && error == 0) {
-        error = errno;
-    }
-    if (error == 0) {
-        using std::filesystem::perms;
-        const auto status = std::filesystem::status(path, code);
-        const perms mode = std::filesystem::exists(status) ? status.permissions()
-                                                           : perms::owner_read | perms::owner_write |
-                                                                 perms::group_read | perms::others_read;
-        std::filesystem::permissions(temporary, mode, code);
-        std::filesystem::rename(temporary, path, code);
-        error = code.value();
-    }
-    if (error != 0) {
-        ::unlink(temporary.c_str());
-        return failure("KS0002", path, error);
-    }
-    return Written{};
+Result<Written> writeFileAtomically(const std::filesystem::path& path, std::string_view bytes) {
+    AtomicFile file(path);
+    file.write(bytes);
+    return file.commit();
 }
 
 } // namespace knittsim

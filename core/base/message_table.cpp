@@ -22,6 +22,7 @@ constexpr auto kMessages = std::to_array<Message>({
     {"KS0007", "file-too-large", "The file has {0} bytes, the limit is {1}.",
      "Check that the right file was chosen; split a program that is so large."},
     {"KS0008", "not-found", "{0} '{1}' does not exist.", "Choose one of: {2}."},
+    {"KS0009", "cancelled", "The work was cancelled; nothing was written.", ""},
     {"KS0012", "no-bytes", "The file is empty.", "Check that the right file was chosen."},
     {"KS0013", "other-encoding", "The file is text in {0}, expected UTF-8.", "Save the file as UTF-8."},
     {"KS0014", "not-text", "This is not a text file: {0} of its {1} bytes are control characters.",
@@ -30,6 +31,10 @@ constexpr auto kMessages = std::to_array<Message>({
      "Knitout (.k) or Stoll Sintral text (.sin) fills its place; export the program as one of them."},
     {"KS0021", "cannot-write-format", "Files of this format cannot be written: {0}.",
      "Choose knitout (.k, .knitout), Shima DAT (.dat) or Kniterate k-code (.kc)."},
+    {"KS0022", "cannot-export", "Nothing can be exported as '{0}'.",
+     "Choose .png, .obj, .gltf, .glb, .bcc, .svg or .csv."},
+    {"KS0023", "export-too-large", "The fabric is larger than {0}, which this format cannot hold.",
+     "Choose another format."},
     {"KS0025", "report-format", "A report cannot be written in this format: {0}.",
      "Choose a name that ends with .html or .json."},
 

@@ -7,6 +7,7 @@ uniform vec3 uCrossing;
 uniform vec3 uLower;         // of the background
 uniform vec3 uUpper;
 uniform float uHeight;       // of the picture, pixels; 0: no background
+uniform float uBottom;       // of the framebuffer in the picture, pixels
 
 flat in uint vKind;
 flat in vec2 vWay;
@@ -17,7 +18,7 @@ out vec4 oColour;
 float cover(float inside) { return clamp(0.5 * vPixels * inside + 0.5, 0.0, 1.0); }
 
 vec4 ground() {
-    return uHeight > 0.0 ? vec4(mix(uLower, uUpper, gl_FragCoord.y / uHeight), 1.0) : vec4(0.0);
+    return uHeight > 0.0 ? vec4(mix(uLower, uUpper, (gl_FragCoord.y + uBottom) / uHeight), 1.0) : vec4(0.0);
 }
 
 void show(vec3 colour, float alpha) {

@@ -202,6 +202,37 @@ TEST_F(Pictures, frontAndBackShowTheYarnInItsColour) {
     }
 }
 
+TEST_F(Pictures, partsMakeTheSamePicture) {
+    const auto fabric = cable();
+    m_request.fabric = &fabric;
+    for (const DrawStyle style : {DrawStyle::Yarn, DrawStyle::Strokes, DrawStyle::Mesh}) {
+        m_request.style = style;
+        m_request.part = 2048;
+        const auto whole = renderFabric(m_request);
+        m_request.part = 50;
+        const auto parts = renderFabric(m_request);
+        ASSERT_TRUE(whole && parts);
+        const auto difference = test::compareBlocks(whole.value(), parts.value());
+        EXPECT_EQ(difference.blocks, 0) << difference.text();
+    }
+}
+
+TEST_F(Pictures, endsBetweenPartsWhenCancelled) {
+    const auto fabric = cable();
+    m_request.fabric = &fabric;
+    m_request.part = 50;
+    int asked = 0;
+    m_request.progress = [&asked](double share) {
+        EXPECT_GE(share, 0);
+        EXPECT_LT(share, 1);
+        return ++asked < 3;
+    };
+    const auto image = renderFabric(m_request);
+    ASSERT_FALSE(image);
+    EXPECT_EQ(image.diagnostics().front().id, "KS0009");
+    EXPECT_EQ(asked, 3);
+}
+
 TEST_F(Pictures, impossibleSizeIsAnError) {
     const auto fabric = knit("ff", 2);
     m_request.fabric = &fabric;

@@ -51,7 +51,7 @@ const char* text(GLenum name) {
     return value != nullptr ? value : "unknown";
 }
 
-/// Of the framebuffer, which has more pixels than the window on fine screens.
+/// Of the picture, which has more pixels than the window on fine screens.
 float millimetresPerPixel(const View& view) {
     return 2 * view.camera.state().halfHeight / static_cast<float>(std::max(1, view.height));
 }
@@ -233,7 +233,7 @@ const YarnLook& FabricRenderer::Implementation::look(std::size_t carrier) const 
 }
 
 void FabricRenderer::draw(const View& view) {
-    glViewport(0, 0, view.width, view.height);
+    glViewport(-view.left, -view.bottom, view.width, view.height);
     glDepthMask(GL_TRUE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDisable(GL_BLEND);
@@ -420,6 +420,7 @@ void FabricRenderer::Implementation::drawMarkers(const View& view) const {
     program.set("uLower", lower);
     program.set("uUpper", upper);
     program.set("uHeight", view.transparent ? 0.0F : static_cast<float>(view.height));
+    program.set("uBottom", static_cast<float>(view.bottom));
     glEnable(GL_PROGRAM_POINT_SIZE);
     // Soft edges; where there is no background the alpha of the picture must not change.
     if (!view.transparent) {

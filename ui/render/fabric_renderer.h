@@ -18,8 +18,10 @@ enum class Quality : std::uint8_t { Fast, Best };
 /// Everything of a picture but the fabric's shape.
 struct View {
     Camera camera;
-    int width = 1; ///< pixels of the framebuffer that is drawn into
+    int width = 1; ///< pixels of the picture
     int height = 1;
+    int left = 0; ///< pixel of the picture at the framebuffer's lower left corner, which may be smaller
+    int bottom = 0;
     Quality quality = Quality::Fast;
     bool dark = false;
     bool transparent = false; ///< clear to nothing instead of painting a background

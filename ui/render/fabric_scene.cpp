@@ -1,5 +1,7 @@
 #include "ui/render/fabric_scene.h"
 
+#include "core/geometry/yarn_frame.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -11,6 +13,7 @@ namespace knittsim::render {
 namespace {
 
 constexpr int kMostRounds = 8;
+constexpr float kPull = 0.2F;             ///< of the fabric's normal on the direction across a yarn
 constexpr std::int32_t kChunkNodes = 128; // a multiple of kMostStride
 
 /// Between two yarns; shaders know it by its arc length.
@@ -37,16 +40,6 @@ std::uint32_t packDirection(const Vec3f& direction) {
         x = foldedX;
     }
     return quantise(x, -1, 1, 2046) | quantise(y, -1, 1, 2046) << 11;
-}
-
-/// A direction across the yarn that turns with it as little as it can and stays near the fabric's normal, so
-/// that the yarn's twist neither swims nor jumps.
-Vec3f carryOn(const Vec3f& before, const Vec3f& normal, const Vec3f& tangent) {
-    constexpr float kPull = 0.2F;
-    const Vec3f wanted = before + kPull * normal;
-    const Vec3f across = wanted - wanted.dot(tangent) * tangent;
-    const float length = across.norm();
-    return length > 1e-3F ? Vec3f(across / length) : Vec3f(tangent.unitOrthogonal());
 }
 
 std::vector<double> diametersOf(const fabric::Fabric& fabric, std::span<const YarnLook> looks) {
@@ -102,6 +95,10 @@ int samplesFor(const fabric::Fabric& fabric) {
 
 FabricScene::FabricScene(std::shared_ptr<const fabric::Fabric> fabric, std::span<const YarnLook> looks,
                          DrawStyle style)
+    : FabricScene(fabric, looks, style, samplesFor(*fabric)) {}
+
+FabricScene::FabricScene(std::shared_ptr<const fabric::Fabric> fabric, std::span<const YarnLook> looks,
+                         DrawStyle style, int samples)
     : m_fabric(std::move(fabric)), m_style(style), m_diameters(diametersOf(*m_fabric, looks)) {
     auto topology = std::make_shared<SceneTopology>();
     topology->pointCount = m_fabric->points.size();
@@ -120,7 +117,7 @@ FabricScene::FabricScene(std::shared_ptr<const fabric::Fabric> fabric, std::span
     } else {
         m_builder = std::make_unique<geometry::YarnCurveBuilder>(
             *m_fabric, m_diameters,
-            geometry::CurveOptions{.samplesPerSegment = samplesFor(*m_fabric), .withSurface = true});
+            geometry::CurveOptions{.samplesPerSegment = samples, .withSurface = true});
         layOut(*topology, m_builder->curves().yarns, m_builder->curves().point);
     }
     m_topology = std::move(topology);
@@ -203,7 +200,9 @@ void FabricScene::fillCurves(SceneFrame& frame, const geometry::YarnCurves& curv
         for (std::size_t n = first; n <= last; ++n, ++to) {
             const Vec3f& p = curves.nodes[n];
             const Vec3f way = curves.nodes[std::min(n + 1, last)] - curves.nodes[std::max(n, first + 1) - 1];
-            reference = carryOn(reference, curves.normal[n], way / std::max(1e-9F, way.norm()));
+            // Staying near the fabric's normal, so that the yarn's twist neither swims nor jumps.
+            reference = geometry::carryAcross(reference + kPull * curves.normal[n],
+                                              way / std::max(1e-9F, way.norm()));
             frame.nodes[to] = {p.x(), p.y(), p.z(), curves.arc[n]};
             frame.surface[to] = {packDirection(reference) |
                                      quantise(curves.height[n] * perDiameter, -2, 2, 1023) << 22,

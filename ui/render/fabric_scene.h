@@ -67,6 +67,11 @@ struct SceneFrame {
 /// time.
 class FabricScene {
 public:
+    /// `samples`: nodes between two control points of a curve.
+    FabricScene(std::shared_ptr<const fabric::Fabric> fabric, std::span<const YarnLook> looks,
+                DrawStyle style, int samples);
+
+    /// With samplesFor() of the fabric.
     FabricScene(std::shared_ptr<const fabric::Fabric> fabric, std::span<const YarnLook> looks,
                 DrawStyle style);
 

@@ -25,6 +25,12 @@ Result<std::unique_ptr<FrameTarget>> FrameTarget::create(int width, int height, 
     return target;
 }
 
+int FrameTarget::mostPixels() {
+    GLint most[2] = {};
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, most);
+    return std::min(most[0], most[1]);
+}
+
 bool FrameTarget::build() {
     GLint most = 0;
     glGetIntegerv(GL_MAX_SAMPLES, &most);

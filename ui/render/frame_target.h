@@ -17,6 +17,9 @@ public:
     FrameTarget(const FrameTarget&) = delete;
     FrameTarget& operator=(const FrameTarget&) = delete;
 
+    /// Pixels of the largest picture that can be drawn part by part.
+    static int mostPixels();
+
     void bind() const;
 
     /// Clears colour and depth, and nothing else: what any picture costs at least.

@@ -1,5 +1,8 @@
 #include "ui/render/image.h"
 
+#include "core/base/atomic_file.h"
+
+#include <csetjmp>
 #include <cstring>
 #include <png.h>
 
@@ -11,38 +14,74 @@ Diagnostic failure(std::string_view id, const std::filesystem::path& path, std::
     return {.id = std::string(id), .place = {.file = path.string()}, .arguments = {std::move(reason)}};
 }
 
-png_image describe(const Image& image) {
-    png_image png{};
-    png.version = PNG_IMAGE_VERSION;
-    png.width = static_cast<png_uint_32>(image.width);
-    png.height = static_cast<png_uint_32>(image.height);
-    png.format = PNG_FORMAT_RGBA;
-    return png;
+/// What libpng hands from call to call.
+struct Job {
+    AtomicFile& file;
+    std::string error;
+};
+
+extern "C" {
+void writeBytes(png_structp png, png_bytep bytes, png_size_t count) {
+    static_cast<Job*>(png_get_io_ptr(png))->file.write({reinterpret_cast<const char*>(bytes), count});
+}
+void flushNothing(png_structp) {}
+[[noreturn]] void takeError(png_structp png, png_const_charp message) {
+    static_cast<Job*>(png_get_error_ptr(png))->error = message;
+    png_longjmp(png, 1);
+}
+void dropWarning(png_structp, png_const_charp) {}
+}
+
+enum class Outcome : std::uint8_t { Done, Failed, Cancelled };
+
+/// Jumps out of libpng on errors, so nothing here may need a destructor.
+Outcome writeRows(png_structp png, png_infop info, const Image& image, const Progress& progress) {
+    if (setjmp(png_jmpbuf(png)) != 0) {
+        return Outcome::Failed;
+    }
+    constexpr int kRowsBetweenReports = 64;
+    constexpr int kFast = 3; // of 9: hardly larger, three times as fast
+    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
+                 PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    png_set_compression_level(png, kFast);
+    png_write_info(png, info);
+    for (int y = 0; y < image.height; ++y) {
+        if (y % kRowsBetweenReports == 0 && progress &&
+            !progress(static_cast<double>(y) / static_cast<double>(image.height))) {
+            return Outcome::Cancelled;
+        }
+        png_write_row(png, image.at(0, y));
+    }
+    png_write_end(png, info);
+    return Outcome::Done;
 }
 
 } // namespace
 
-Result<std::string> encodePng(const Image& image) {
-    png_image png = describe(image);
-    png_alloc_size_t size = 0;
-    if (image.pixels.empty() ||
-        !png_image_write_get_memory_size(png, size, 0, image.pixels.data(), 0, nullptr)) {
-        return failure("KS0404", {}, image.pixels.empty() ? "it has no pixels" : png.message);
+Result<Written> writePng(const std::filesystem::path& path, const Image& image, const Progress& progress) {
+    if (image.pixels.empty()) {
+        return failure("KS0404", {}, "it has no pixels");
     }
-    std::string bytes(size, '\0');
-    if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr)) {
-        return failure("KS0404", {}, png.message);
+    AtomicFile file(path);
+    Job job{file, {}};
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &job, takeError, dropWarning);
+    png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+    Outcome outcome = Outcome::Failed;
+    if (info != nullptr) {
+        png_set_write_fn(png, &job, writeBytes, flushNothing);
+        outcome = writeRows(png, info, image, progress);
     }
-    bytes.resize(size);
-    return bytes;
-}
-
-Result<Written> writePng(const std::filesystem::path& path, const Image& image) {
-    const Result<std::string> bytes = encodePng(image);
-    if (!bytes) {
-        return Result<Written>::failure(bytes.diagnostics());
+    png_destroy_write_struct(&png, &info);
+    switch (outcome) {
+    case Outcome::Done:
+        break;
+    case Outcome::Failed:
+        return failure("KS0404", path, job.error);
+    case Outcome::Cancelled:
+        return Diagnostic{.id = "KS0009", .place = {.file = path.string()}, .arguments = {}};
     }
-    return writeFileAtomically(path, bytes.value());
+    return file.commit();
 }
 
 Result<Image> readPng(const std::filesystem::path& path) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/file.h"
+#include "core/base/progress.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -20,11 +21,9 @@ struct Image {
     }
 };
 
-/// The picture as the bytes of a PNG file. Errors: KS0404.
-Result<std::string> encodePng(const Image& image);
-
-/// Errors: KS0002, KS0404.
-Result<Written> writePng(const std::filesystem::path& path, const Image& image);
+/// Errors: KS0002, KS0009 (cancelled), KS0404.
+Result<Written> writePng(const std::filesystem::path& path, const Image& image,
+                         const Progress& progress = {});
 
 /// Reads any PNG as 8-bit RGBA. Errors: KS0001, KS0405.
 Result<Image> readPng(const std::filesystem::path& path);

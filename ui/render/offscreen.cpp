@@ -4,6 +4,11 @@
 #include "ui/render/fabric_renderer.h"
 #include "ui/render/frame_target.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 namespace knittsim::render {
 
 namespace {
@@ -26,6 +31,48 @@ View viewOf(const RenderRequest& request, const geometry::Bounds& bounds) {
     return view;
 }
 
+/// As many nodes as the pixels of a stitch can show.
+int samplesOf(const RenderRequest& request) {
+    constexpr double kPixelsOfASample = 24;
+    constexpr double kMost = 12;
+    const double pixels = static_cast<double>(request.width) * request.height;
+    const double loops = std::max(1.0, static_cast<double>(request.fabric->loops.size()));
+    const double wanted = std::min(kMost, std::sqrt(pixels / loops) / kPixelsOfASample);
+    return std::max(samplesFor(*request.fabric), static_cast<int>(wanted));
+}
+
+void copyInto(Image& picture, const Image& drawn, int left, int top) {
+    for (int y = 0; y < drawn.height; ++y) {
+        const auto to = 4 * (static_cast<std::ptrdiff_t>(top + y) * picture.width + left);
+        std::copy_n(drawn.at(0, y), 4 * drawn.width, picture.pixels.begin() + to);
+    }
+}
+
+Result<Image> drawInParts(FabricRenderer& renderer, View view, int part, const Progress& progress) {
+    Image picture{view.width, view.height, {}};
+    picture.pixels.resize(4 * static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height));
+    for (int top = 0; top < view.height; top += part) {
+        for (view.left = 0; view.left < view.width; view.left += part) {
+            const double rows = static_cast<double>(top) / view.height;
+            const double columns = static_cast<double>(view.left) / view.width;
+            if (progress && !progress(rows + columns * std::min(part, view.height - top) / view.height)) {
+                return Diagnostic{.id = "KS0009", .place = {}, .arguments = {}};
+            }
+            const int width = std::min(part, view.width - view.left);
+            const int height = std::min(part, view.height - top);
+            const auto target = FrameTarget::create(width, height);
+            if (!target) {
+                return Result<Image>::failure(target.diagnostics());
+            }
+            view.bottom = view.height - top - height;
+            target.value()->bind();
+            renderer.draw(view);
+            copyInto(picture, target.value()->read(), view.left, top);
+        }
+    }
+    return picture;
+}
+
 } // namespace
 
 Result<Image> renderFabric(const RenderRequest& request) {
@@ -37,13 +84,16 @@ Result<Image> renderFabric(const RenderRequest& request) {
     if (!renderer) {
         return Result<Image>::failure(renderer.diagnostics());
     }
-    const auto target = FrameTarget::create(request.width, request.height);
-    if (!target) {
-        return Result<Image>::failure(target.diagnostics());
+    const int most = FrameTarget::mostPixels();
+    if (std::min(request.width, request.height) < 1 || std::max(request.width, request.height) > most) {
+        return Diagnostic{.id = "KS0404",
+                          .place = {},
+                          .arguments = {fmt::format("{} x {} pixels: the graphics driver takes 1 to {}",
+                                                    request.width, request.height, most)}};
     }
     // The scene lives shorter than the request: it need not own the fabric.
     const std::shared_ptr<const fabric::Fabric> fabric(std::shared_ptr<void>(), request.fabric);
-    FabricScene scene(fabric, request.looks, request.style);
+    FabricScene scene(fabric, request.looks, request.style, samplesOf(request));
     while (request.curves == nullptr && scene.improve()) {
     }
     const auto frame =
@@ -55,9 +105,7 @@ Result<Image> renderFabric(const RenderRequest& request) {
     }
     renderer.value()->setLooks(request.looks);
     renderer.value()->setSelection(request.selection);
-    target.value()->bind();
-    renderer.value()->draw(viewOf(request, frame->bounds));
-    return target.value()->read();
+    return drawInParts(*renderer.value(), viewOf(request, frame->bounds), request.part, request.progress);
 }
 
 } // namespace knittsim::render

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/fabric/fabric.h"
 #include "core/geometry/yarn_curve.h"
 #include "ui/render/camera.h"
@@ -27,10 +28,12 @@ struct RenderRequest {
     int height = 800;
     bool dark = false;        ///< background
     bool transparent = false; ///< no background
+    int part = 2048;          ///< pixels; larger pictures are drawn part by part
+    Progress progress{};
 };
 
 /// Draws without a window or a display (EGL surfaceless). Slow to start: makes a context for each call.
-/// Errors: KS0401 (no OpenGL), KS0402 (too old), KS0403 (shaders), KS0404 (size).
+/// Errors: KS0009 (cancelled), KS0401 (no OpenGL), KS0402 (too old), KS0403 (shaders), KS0404 (size).
 Result<Image> renderFabric(const RenderRequest& request);
 
 } // namespace knittsim::render

@@ -41,6 +41,15 @@ TEST_F(ImageFile, emptyImageIsAnErrorAndWritesNothing) {
     EXPECT_FALSE(std::filesystem::exists(m_path));
 }
 
+TEST_F(ImageFile, cancelledWriteLeavesNothing) {
+    Image image{4, 200, std::vector<std::uint8_t>(3200, 77)};
+    int asked = 0;
+    const auto written = writePng(m_path, image, [&asked](double) { return ++asked < 2; });
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.diagnostics().front().id, "KS0009");
+    EXPECT_FALSE(std::filesystem::exists(m_path));
+}
+
 TEST_F(ImageFile, foreignBytesAreAnError) {
     ASSERT_TRUE(writeFileAtomically(m_path, "this is no picture"));
     const auto read = readPng(m_path);
