@@ -291,7 +291,11 @@ void Document::applyYarn(int carrier, const yarn::Yarn& yarn) {
     present = yarn;
     if (body) {
         m_bridge.post(command::SetYarn{carrier, yarn});
-        m_bridge.post(command::Start{});
+        if (m_yarnRun.exists()) {
+            m_yarnRun.setYarn(static_cast<machine::CarrierIndex>(carrier), yarn);
+        } else {
+            m_bridge.post(command::Start{});
+        }
     }
     emit yarnsChanged();
 }
@@ -329,9 +333,15 @@ void Document::stop() {
 
 void Document::settleYarn() {
     if (m_yarnRun.running()) {
-        m_yarnRun.stop();
-        return;
+        m_yarnRun.pause();
+    } else if (m_yarnRun.shape() && !m_yarnRun.shape()->finished) {
+        m_yarnRun.resume();
+    } else {
+        startYarn();
     }
+}
+
+void Document::startYarn() {
     if (!m_whole || m_ladders.running()) {
         return;
     }
@@ -339,17 +349,15 @@ void Document::settleYarn() {
     if (activity() == Activity::Settling) {
         pause();
     }
-    std::vector<yarn::Yarn> yarns;
-    for (const CarrierYarn& carrier : m_carriers) {
-        yarns.push_back(carrier.yarn);
-    }
-    m_yarnRun.start(m_whole, std::move(yarns));
+    m_yarnRun.start(m_whole, yarnsOf(m_carriers));
 }
 
 void Document::restart() {
     if (m_ladders.running()) {
         m_restartAfterLadder = true;
         m_ladders.finish();
+    } else if (m_yarnRun.exists()) {
+        startYarn();
     } else if (m_file) {
         m_bridge.restart();
         emit generationChanged();
@@ -365,20 +373,32 @@ void Document::setIntegrator(const QString& id) {
     }
 }
 
-void Document::drag(fabric::EntryIndex entry, Vec3 point) {
-    if (showsPrefix() && m_prefix->whole != m_whole) {
-        return;
+bool Document::showsYarn() const {
+    return m_yarnRun.shape() && m_yarnRun.shape()->fabric == shownFabric();
+}
+
+fabric::EntryIndex Document::wholeEntryOf(fabric::PointIndex point) const {
+    const auto fabric = shownFabric();
+    const bool foreign = showsPrefix() && m_prefix->whole != m_whole;
+    if (!fabric || foreign || point < 0 || static_cast<std::size_t>(point) >= fabric->points.size()) {
+        return -1;
     }
-    if (showsPrefix() && entry >= 0 && static_cast<std::size_t>(entry) < m_prefix->wholeEntry.size()) {
-        entry = m_prefix->wholeEntry[static_cast<std::size_t>(entry)];
-    }
-    if (entry >= 0) {
-        m_bridge.post(command::Drag{entry, point.x(), point.y(), point.z()});
+    const fabric::EntryIndex entry = fabric->points[static_cast<std::size_t>(point)].entry;
+    const bool mapped = showsPrefix() && static_cast<std::size_t>(entry) < m_prefix->wholeEntry.size();
+    return mapped ? m_prefix->wholeEntry[static_cast<std::size_t>(entry)] : entry;
+}
+
+void Document::drag(fabric::PointIndex point, Vec3 place) {
+    if (showsYarn()) {
+        m_yarnRun.drag(point, place);
+    } else if (const fabric::EntryIndex entry = wholeEntryOf(point); entry >= 0) {
+        m_bridge.post(command::Drag{entry, place.x(), place.y(), place.z()});
     }
 }
 
 void Document::releaseDrag() {
     m_bridge.post(command::Release{});
+    m_yarnRun.release();
 }
 
 } // namespace knittsim::document

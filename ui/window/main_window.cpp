@@ -181,8 +181,8 @@ void MainWindow::connectFabric() {
             [this] { findChild<QAction*>(QStringLiteral("actionHistory"))->setChecked(false); });
     connect(m_fabric, &FabricView::loopHovered, m_status, &StatusLine::setHoveredLoop);
     connect(m_grid, &PatternGrid::loopHovered, m_status, &StatusLine::setHoveredLoop);
-    connect(m_fabric, &FabricView::dragMoved, &m_document, [this](int entry, QVector3D point) {
-        m_document.drag(entry, {point.x(), point.y(), point.z()});
+    connect(m_fabric, &FabricView::dragMoved, &m_document, [this](int point, QVector3D place) {
+        m_document.drag(point, {place.x(), place.y(), place.z()});
     });
     connect(m_fabric, &FabricView::dragEnded, &m_document, &Document::releaseDrag);
     connect(m_fabric, &FabricView::glFailed, this,
@@ -190,9 +190,7 @@ void MainWindow::connectFabric() {
 }
 
 void MainWindow::takeYarnRun() {
-    const auto shape = m_document.yarnRun().shape();
-    const bool shown = shape && shape->fabric == m_document.shownFabric();
-    m_fabric->setCurves(shown ? shape->curves : nullptr);
+    m_fabric->setCurves(m_document.showsYarn() ? m_document.yarnRun().shape()->curves : nullptr);
 }
 
 void MainWindow::openFile(const QString& path) {

@@ -219,7 +219,7 @@ void FabricView::Implementation::pullTo(QPointF where) {
     const render::Camera& camera = content.camera;
     const auto ray = camera.rayAt(static_cast<float>(where.x()), static_cast<float>(where.y()));
     if (const auto place = geometry::meetPlane(ray, pulled.place, camera.towardsViewer())) {
-        emit view.dragMoved(pulled.entry, toQt(*place));
+        emit view.dragMoved(pulled.point, toQt(*place));
     }
 }
 

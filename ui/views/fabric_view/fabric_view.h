@@ -91,7 +91,7 @@ signals:
     void loopClicked(int loop);   ///< -1: clicked beside the yarn
     void pointClicked(int point); ///< after loopClicked: the bonding point nearest on the yarn, or -1
     void loopHovered(int loop);   ///< -1: left the yarn
-    void dragMoved(int entry, QVector3D pointMm); ///< entry of the bonding point table
+    void dragMoved(int point, QVector3D placeMm); ///< the yarn at a bonding point, to there
     void dragEnded();
     void glFailed(QString reason); ///< once; a sentence for the user
 
