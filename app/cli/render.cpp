@@ -1,9 +1,11 @@
 #include "app/cli/commands.h"
 #include "app/cli/deadline.h"
 #include "app/cli/load.h"
+#include "app/cli/relax_fabric.h"
 #include "core/base/message_table.h"
 #include "core/simulation/simulation.h"
 #include "core/simulation/yarn_settling.h"
+#include "ui/render/colour_scale.h"
 #include "ui/render/offscreen.h"
 
 #include <fmt/core.h>
@@ -19,6 +21,8 @@ namespace knittsim::cli {
 
 namespace {
 
+using render::ColourBy;
+
 constexpr int kMaxPixels = 8192;
 
 struct RenderOptions {
@@ -31,6 +35,8 @@ struct RenderOptions {
     double maxSeconds = 60;
     bool dark = false;
     bool transparent = false;
+    ColourBy colour = ColourBy::Yarn;
+    std::string surroundings;
 };
 
 bool parseSize(const std::string& text, int& width, int& height) {
@@ -40,26 +46,35 @@ bool parseSize(const std::string& text, int& width, int& height) {
            height <= kMaxPixels;
 }
 
-std::vector<float> settledPositions(const Loaded& loaded, double maxSeconds) {
+simulation::Frame settledFrame(const Loaded& loaded, double maxSeconds) {
     simulation::Simulation simulation;
     simulation.apply(
         simulation::command::Load{.fabric = loaded.fabric, .yarns = loaded.yarns, .generation = 1});
     simulation.apply(simulation::command::Start{});
     simulation.runToEnd(maxSeconds);
-    return simulation.frame().positions;
+    return simulation.frame();
 }
 
-/// Curves of the yarn model at rest on a table.
-std::optional<geometry::YarnCurves> settledCurves(const Loaded& loaded, double maxSeconds) {
-    const Deadline deadline(maxSeconds);
-    simulation::YarnSettling settling(*loaded.fabric, loaded.yarns, {});
+/// The yarn model at rest.
+std::optional<simulation::YarnPicture> settledYarn(const Loaded& loaded, const RenderOptions& options) {
+    const Deadline deadline(options.maxSeconds);
+    simulation::YarnSettling settling(*loaded.fabric, loaded.yarns,
+                                      {.surroundings = surroundingsOf(options.surroundings)});
     if (*settling.problem() != '\0') {
         fmt::print(stderr, "--relax yarn: {}\n", settling.problem());
         return std::nullopt;
     }
     while (settling.step(physics::Interrupt(&deadline.late()))) {
     }
-    return settling.curves();
+    return settling.picture();
+}
+
+/// What the colours of the picture mean.
+void printScale(ColourBy colour, std::span<const float> values) {
+    const render::ValueRange range = render::rangeOf(values);
+    const bool tension = colour == ColourBy::Tension;
+    fmt::print("{} from {:g} {} (dark violet) to {:g} (yellow)\n", tension ? "yarn tension" : "contact force",
+               range.low, tension ? "mN" : "mN/mm", range.high);
 }
 
 void print(const Diagnostics& diagnostics) {
@@ -78,23 +93,39 @@ int runRender(const RenderOptions& options) {
         fmt::print(stderr, "--style mesh shows bonding points; --relax yarn settles yarn curves\n");
         return kUnusable;
     }
+    const bool known = options.relax == "yarn" || options.colour == ColourBy::Yarn ||
+                       (options.relax == "bonding-points" && options.colour == ColourBy::Tension);
+    if (!known) {
+        fmt::print(stderr, "--colour tension needs a relaxed fabric, --colour contact --relax yarn\n");
+        return kUnusable;
+    }
+    if (options.relax != "yarn" && !options.surroundings.empty()) {
+        fmt::print(stderr, "--surroundings needs --relax yarn\n");
+        return kUnusable;
+    }
     const auto loaded = load(options.load);
     if (!loaded) {
         return kUnusable;
     }
-    std::optional<geometry::YarnCurves> curves;
-    std::vector<float> positions;
+    std::optional<simulation::YarnPicture> yarn;
+    simulation::Frame frame;
     if (options.relax == "yarn") {
-        curves = settledCurves(*loaded, options.maxSeconds);
-        if (!curves) {
+        yarn = settledYarn(*loaded, options);
+        if (!yarn) {
             return kUnusable;
         }
-        request.curves = &*curves;
+        request.curves = &yarn->curves;
     } else if (options.relax == "bonding-points") {
-        positions = settledPositions(*loaded, options.maxSeconds);
+        frame = settledFrame(*loaded, options.maxSeconds);
+    }
+    request.positions = frame.positions;
+    if (options.colour != ColourBy::Yarn) {
+        request.values = !yarn                                 ? frame.tension
+                         : options.colour == ColourBy::Tension ? yarn->tension
+                                                               : yarn->contact;
+        printScale(options.colour, request.values);
     }
     request.fabric = loaded->fabric.get();
-    request.positions = positions;
     for (const yarn::Yarn& yarn : loaded->yarns) {
         request.looks.push_back(render::lookOf(yarn));
     }
@@ -123,12 +154,19 @@ void addRender(CLI::App& app, Command& chosen) {
     static const std::map<std::string, DrawStyle> kStyles{
         {"strokes", DrawStyle::Strokes}, {"yarn", DrawStyle::Yarn}, {"mesh", DrawStyle::Mesh}};
     static const std::map<std::string, ViewSide> kSides{{"front", ViewSide::Front}, {"back", ViewSide::Back}};
+    static const std::map<std::string, ColourBy> kColours{
+        {"yarn", ColourBy::Yarn}, {"tension", ColourBy::Tension}, {"contact", ColourBy::Contact}};
     auto options = std::make_shared<RenderOptions>();
     CLI::App* command = app.add_subcommand("render", "Draw the fabric into a PNG file; needs no display");
     command->add_option("file", options->load.file, "machine file")->required();
     command->add_option("-o", options->picture, "PNG file to write")->required();
     command->add_option("--style", options->style, "strokes, yarn or mesh")
         ->transform(CLI::CheckedTransformer(kStyles));
+    command
+        ->add_option("--colour", options->colour,
+                     "what colours tell: yarn, tension (mN) or contact (mN/mm of yarn; --relax yarn)")
+        ->transform(CLI::CheckedTransformer(kColours));
+    addSurroundings(*command, options->surroundings);
     command->add_option("--side", options->side, "front or back")->transform(CLI::CheckedTransformer(kSides));
     command->add_option("--size", options->size, "WxH in pixels")->capture_default_str();
     command->add_option("--relax", options->relax, "settle before drawing")

@@ -1,7 +1,7 @@
 #include "core/simulation/fabric_yarns.h"
 
 #include "core/geometry/yarn_curve_builder.h"
-#include "core/physics/yarn_model/fabric_repeat.h"
+#include "core/simulation/fabric_cell.h"
 #include "core/simulation/simulation.h"
 
 #include <algorithm>
@@ -63,24 +63,15 @@ std::optional<Eigen::Vector2d> cellSpacings(const Fabric& f, std::span<const yar
     if (!found || found->repeat.pattern.faces.size() > kLargestCell) {
         return std::nullopt;
     }
-    const yarn::Yarn material = found->carrier < yarns.size() ? yarns[found->carrier] : yarn::Yarn();
-    const physics::YarnUnits units = physics::unitsOf(material);
-    std::vector<double> lengths = found->repeat.loopLengths;
-    for (double& length : lengths) {
-        length /= units.lengthMm;
-    }
-    physics::CellOptions options;
+    FabricCellOptions options;
     options.relax.mostEvaluations = kCellEvaluations;
     options.relax.cancelled = cancelled;
-    const physics::RodYarn rod = physics::toRod(material, units);
-    if (rod.friction > 0) {
-        options.machine = physics::machineHold(f.pitchMm, units);
-    }
-    const physics::CellShape cell = physics::relaxCell(found->repeat.pattern, lengths, rod, options);
+    const FabricCell settled = settleCell(f, *found, yarns, options);
+    const physics::CellShape& cell = settled.cell;
     if (!physics::isAtRest(cell.relax.verdict) || !cell.faults.empty()) {
         return std::nullopt;
     }
-    return units.lengthMm * Eigen::Vector2d(cell.waleSpacing, cell.courseSpacing);
+    return settled.units.lengthMm * Eigen::Vector2d(cell.waleSpacing, cell.courseSpacing);
 }
 
 /// Factors along x and y from the machine's shape to the spacings that the layout asks for.

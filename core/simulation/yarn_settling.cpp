@@ -357,6 +357,10 @@ std::vector<float> YarnSettling::contactForce() const {
     return result;
 }
 
+YarnPicture YarnSettling::picture() const {
+    return {curves(), entryPositions(m_fabric, m_yarns, shape()), tension(), contactForce()};
+}
+
 YarnAudit YarnSettling::audit() const {
     YarnAudit audit;
     if (*m_problem != '\0') {

@@ -5,6 +5,7 @@
 #include "core/physics/yarn_model/load_step.h"
 #include "core/physics/yarn_model/yarn_growth.h"
 #include "core/simulation/surroundings.h"
+#include "core/simulation/yarn_picture.h"
 
 #include <memory>
 #include <optional>
@@ -77,10 +78,7 @@ public:
 
     YarnAudit audit() const; ///< of the present shape
     geometry::YarnCurves curves() const { return curvesOf(m_yarns, shape()); }
-
-    // By node; empty while the yarns grow, for then they know no forces.
-    std::vector<float> tension() const;      ///< mean of the segments at it, mN; negative: pressed together
-    std::vector<float> contactForce() const; ///< with which other yarn pushes it, mN by mm of yarn
+    YarnPicture picture() const;
 
 private:
     /// How the rods come to rest.
@@ -101,6 +99,8 @@ private:
     void wake();
     bool settle(const physics::Interrupt& interrupt);
     bool isStill(double share) const;
+    std::vector<float> tension() const;
+    std::vector<float> contactForce() const;
     physics::Entry nodeAt(fabric::PointIndex point) const;
 
     const fabric::Fabric& m_fabric;

@@ -55,6 +55,7 @@ Document::Document(QObject* parent) : QObject(parent), m_library(readLibrary()),
     connect(&m_bridge, &SimulationBridge::stateChanged, this, &Document::activityChanged);
     connect(&m_yarnRun, &YarnRun::changed, this, &Document::yarnRunChanged);
     connect(this, &Document::fabricShown, &m_yarnRun, &YarnRun::clear);
+    connect(this, &Document::fabricShown, this, &Document::forgetPins);
     connect(this, &Document::activityChanged, &m_yarnRun, [this] {
         if (activity() == Activity::Settling) {
             m_yarnRun.clear();
@@ -346,10 +347,11 @@ void Document::startYarn() {
         return;
     }
     setStep(operationCount());
-    if (activity() == Activity::Settling) {
-        pause();
-    }
+    stop(); // what happens to the yarn does not wake the net of bonding points
     m_yarnRun.start(m_whole, yarnsOf(m_carriers));
+    for (const fabric::PointIndex point : m_pins) {
+        m_yarnRun.setPinned(point, true);
+    }
 }
 
 void Document::restart() {
@@ -399,6 +401,51 @@ void Document::drag(fabric::PointIndex point, Vec3 place) {
 void Document::releaseDrag() {
     m_bridge.post(command::Release{});
     m_yarnRun.release();
+}
+
+/// In both models, so that a pin stays when the model is changed.
+void Document::pin(fabric::PointIndex point, bool pinned) {
+    const fabric::EntryIndex entry = wholeEntryOf(point);
+    if (entry < 0) {
+        return;
+    }
+    std::erase(m_pins, point);
+    if (pinned) {
+        m_pins.push_back(point);
+    }
+    m_bridge.post(command::Pin{entry, pinned});
+    if (m_yarnRun.exists()) {
+        m_yarnRun.setPinned(point, pinned);
+    }
+}
+
+void Document::togglePin() {
+    if (m_point >= 0 && !showsPrefix()) {
+        pin(m_point, std::ranges::find(m_pins, m_point) == m_pins.end());
+        emit pinsChanged();
+    }
+}
+
+void Document::removePins() {
+    for (const fabric::PointIndex point : std::vector(m_pins)) {
+        pin(point, false);
+    }
+    emit pinsChanged();
+}
+
+/// Points of another fabric have other numbers. To a simulation that has another one already this says
+/// nothing.
+void Document::forgetPins() {
+    if (m_pins.empty()) {
+        return;
+    }
+    for (const fabric::PointIndex point : m_pins) {
+        if (m_whole && static_cast<std::size_t>(point) < m_whole->points.size()) {
+            m_bridge.post(command::Pin{m_whole->points[static_cast<std::size_t>(point)].entry, false});
+        }
+    }
+    m_pins.clear();
+    emit pinsChanged();
 }
 
 } // namespace knittsim::document

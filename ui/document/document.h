@@ -134,6 +134,12 @@ public:
     void drag(fabric::PointIndex point, Vec3 place);
     void releaseDrag();
 
+    /// Bonding points of shownFabric() that are held where they are; none after another fabric is shown.
+    const std::vector<fabric::PointIndex>& pins() const { return m_pins; }
+    /// Holds the selected bonding point, or frees it.
+    void togglePin();
+    void removePins();
+
 signals:
     void openingStarted();
     void openingStage(knittsim::document::OpeningStage stage);
@@ -152,6 +158,7 @@ signals:
     void generationChanged(); ///< load or restart: histories begin anew
     void ladderChanged();     ///< stitchHolder(), unstableLoops(), removedLoops() or laddersRun() changed
     void yarnRunChanged();
+    void pinsChanged();
     void nothingRuns(); ///< the answer to removeLadders() when there is nothing to remove
 
 private:
@@ -166,6 +173,8 @@ private:
     fabric::PointIndex firstPointOf(LoopIndex loop) const;
     void applyYarn(int carrier, const yarn::Yarn& yarn);
     void startYarn();
+    void pin(fabric::PointIndex point, bool pinned);
+    void forgetPins();
     /// -1 where the whole fabric has none, or not yet.
     fabric::EntryIndex wholeEntryOf(fabric::PointIndex point) const;
     bool showsPrefix() const { return m_prefix != nullptr; }
@@ -197,6 +206,7 @@ private:
     SimulationBridge m_bridge;
     QString m_integrator;
     YarnRun m_yarnRun;
+    std::vector<fabric::PointIndex> m_pins;
     LadderRunner m_ladders;
     fabric::Runs m_runs; ///< of m_whole, or of the fabric before the ladder that runs
     std::size_t m_loopsGone = 0;

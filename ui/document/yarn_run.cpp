@@ -30,9 +30,7 @@ std::shared_ptr<YarnShape> shapeOf(const Task& task, int edits, const Settling& 
     shape->generation = task.generation;
     shape->edits = edits;
     shape->fabric = task.fabric;
-    shape->curves = std::make_shared<geometry::YarnCurves>(settling.curves());
-    shape->positions = simulation::entryPositions(*task.fabric, settling.yarns(), settling.shape());
-    shape->tension = settling.tension();
+    shape->picture = std::make_shared<simulation::YarnPicture>(settling.picture());
     shape->steps = settling.report().steps;
     shape->growing = settling.phase() == Settling::Phase::Growing;
     shape->verdict = settling.report().verdict;
@@ -42,7 +40,7 @@ std::shared_ptr<YarnShape> shapeOf(const Task& task, int edits, const Settling& 
 std::shared_ptr<const YarnShape> lastShapeOf(const Task& task, int edits, const Settling& settling) {
     auto shape = shapeOf(task, edits, settling);
     shape->audit = settling.audit();
-    shape->measured = geometry::measure(*task.fabric, shape->positions);
+    shape->measured = geometry::measure(*task.fabric, shape->picture->positions);
     shape->finished = true;
     return shape;
 }

@@ -21,12 +21,10 @@ struct YarnShape {
     std::uint64_t generation = 0; ///< of the run: YarnRun::generation()
     int edits = 0;                ///< of YarnRun::edits(), how many it knows of
     std::shared_ptr<const fabric::Fabric> fabric;
-    std::shared_ptr<const geometry::YarnCurves> curves;
-    std::vector<float> positions; ///< 3 per entry of the bonding point table, mm
-    std::vector<float> tension;   ///< by node of the curves, mN; empty while the yarns grow
-    int steps = 0;                ///< of the solver; 0 while the yarns grow
-    bool growing = true;          ///< thin yarns make room for each other
-    bool finished = false;        ///< then `audit` and `measured` hold
+    std::shared_ptr<const simulation::YarnPicture> picture;
+    int steps = 0;         ///< of the solver; 0 while the yarns grow
+    bool growing = true;   ///< thin yarns make room for each other
+    bool finished = false; ///< then `audit` and `measured` hold
     physics::StopRule::Verdict verdict = physics::StopRule::Verdict::GoOn;
     simulation::YarnAudit audit;
     geometry::Measurement measured;

@@ -165,6 +165,7 @@ void MainWindow::connectFabric() {
         m_status->setRenderer(m_fabric->hasOpenGl() ? m_fabric->rendererName() : tr("Qt, flat"));
     });
     connect(&m_document, &Document::yarnRunChanged, this, &MainWindow::takeYarnRun);
+    connect(&m_document, &Document::pinsChanged, this, [this] { m_fabric->setPins(m_document.pins()); });
     connect(&m_document, &Document::yarnsChanged, this,
             [this] { m_fabric->setLooks(looksOf(m_document.carriers())); });
     connect(&m_document, &Document::selectionChanged, this, [this] {
@@ -190,7 +191,7 @@ void MainWindow::connectFabric() {
 }
 
 void MainWindow::takeYarnRun() {
-    m_fabric->setCurves(m_document.showsYarn() ? m_document.yarnRun().shape()->curves : nullptr);
+    m_fabric->setYarn(m_document.showsYarn() ? m_document.yarnRun().shape()->picture : nullptr);
 }
 
 void MainWindow::openFile(const QString& path) {

@@ -60,7 +60,7 @@ private slots:
         QCOMPARE(shape->audit.coreOverlaps, 0);
         const double loop = shape->fabric->made.loops.front().lengthMm;
         QVERIFY(shape->measured.waleSpacingMm > 0.15 * loop && shape->measured.waleSpacingMm < 0.4 * loop);
-        QCOMPARE(shape->curves->nodes.size(), shape->curves->normal.size());
+        QCOMPARE(shape->picture->curves.nodes.size(), shape->picture->tension.size());
     }
 
     void stoppingKeepsWhatThereIs() {
@@ -203,7 +203,8 @@ private slots:
         const auto point = static_cast<fabric::PointIndex>(points.size() / 2);
         const auto placeOf = [&](const YarnShape& shape) {
             const auto e = 3 * static_cast<std::size_t>(points[static_cast<std::size_t>(point)].entry);
-            return Vec3(shape.positions[e], shape.positions[e + 1], shape.positions[e + 2]);
+            return Vec3(shape.picture->positions[e], shape.picture->positions[e + 1],
+                        shape.picture->positions[e + 2]);
         };
         const auto rest = m_document->yarnRun().shape();
         const Vec3 target = placeOf(*rest) + Vec3(0, 0, 4);
