@@ -25,31 +25,19 @@ physics::YarnRelaxOptions relaxOptions(const PeriodicOptions& options, const Dea
     return relax;
 }
 
-std::optional<PeriodicCell> settlePeriodic(const Loaded& loaded, const PeriodicOptions& options,
-                                           const Deadline& deadline, int nodesPerLoop) {
+std::optional<simulation::FabricCell> settlePeriodic(const Loaded& loaded, const PeriodicOptions& options,
+                                                     const Deadline& deadline, int nodesPerLoop) {
     const std::optional<physics::FabricRepeat> found = physics::findFabricRepeat(*loaded.fabric);
     if (!found) {
         fmt::print(stderr, "most of the fabric would have to be knit and purl stitches of one yarn that "
                            "repeat themselves\n");
         return std::nullopt;
     }
-    const yarn::Yarn& material = loaded.yarns[found->carrier];
-    const physics::YarnUnits units = physics::unitsOf(material);
-    std::vector<double> lengths = found->repeat.loopLengths;
-    for (double& length : lengths) {
-        length /= units.lengthMm;
-    }
-    physics::CellOptions cellOptions;
-    cellOptions.start.nodesPerLoop = nodesPerLoop;
-    cellOptions.relax = relaxOptions(options, deadline);
-    physics::RodYarn rod = physics::toRod(material, units);
-    rod.friction = options.friction.value_or(rod.friction);
-    rod.set = options.set;
-    if (rod.friction > 0) {
-        cellOptions.machine = physics::machineHold(loaded.timeline->profile().pitchMm(), units);
-    }
-    physics::CellShape cell = physics::relaxCell(found->repeat.pattern, lengths, rod, cellOptions);
-    return PeriodicCell{*found, units, rod, std::move(cell)};
+    return simulation::settleCell(*loaded.fabric, *found, loaded.yarns,
+                                  {.friction = options.friction,
+                                   .set = options.set,
+                                   .nodesPerLoop = nodesPerLoop,
+                                   .relax = relaxOptions(options, deadline)});
 }
 
 } // namespace knittsim::cli

@@ -2,8 +2,7 @@
 
 #include "app/cli/deadline.h"
 #include "app/cli/load.h"
-#include "core/physics/yarn_model/fabric_repeat.h"
-#include "core/physics/yarn_model/yarn_units.h"
+#include "core/simulation/fabric_cell.h"
 
 #include <CLI/App.hpp>
 
@@ -23,19 +22,11 @@ struct PeriodicOptions {
 /// --friction and --set.
 void addYarnPhysics(CLI::App& command, std::optional<double>& friction, double& set);
 
-/// The repeat of a fabric, settled in the yarn model.
-struct PeriodicCell {
-    physics::FabricRepeat found;
-    physics::YarnUnits units;
-    physics::RodYarn rod;
-    physics::CellShape cell;
-};
-
 /// Solver, residual and deadline as the options say; `options` and `deadline` must outlive the result.
 physics::YarnRelaxOptions relaxOptions(const PeriodicOptions& options, const Deadline& deadline);
 
 /// Says on stderr why when there is no repeat.
-std::optional<PeriodicCell> settlePeriodic(const Loaded& loaded, const PeriodicOptions& options,
-                                           const Deadline& deadline, int nodesPerLoop = 24);
+std::optional<simulation::FabricCell> settlePeriodic(const Loaded& loaded, const PeriodicOptions& options,
+                                                     const Deadline& deadline, int nodesPerLoop = 24);
 
 } // namespace knittsim::cli

@@ -7,7 +7,6 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <memory>
 
 namespace knittsim::cli {
@@ -16,9 +15,6 @@ namespace {
 
 using physics::PullPoint;
 using physics::PullResult;
-
-/// Taut yarn turns sharply: with 24 nodes a loop plain fabric locks a tenth too early, with 36 no more.
-constexpr int kNodesPerLoop = 36;
 
 struct PullCommandOptions {
     LoadOptions load;
@@ -30,23 +26,9 @@ struct PullCommandOptions {
     bool json = false;
 };
 
-/// N/mm in one unit of the model.
-double stressUnit(const physics::YarnUnits& units) {
-    return units.bendingStiffness / std::pow(units.lengthMm, 3) * 1e-3;
-}
-
-std::string toCsv(const PullResult& result, const physics::YarnUnits& units) {
-    std::string text = "strain,stress_n_per_mm,width_mm,height_mm,back\n";
-    for (const PullPoint& p : result.points) {
-        text += fmt::format("{:.5f},{:.6f},{:.4f},{:.4f},{}\n", p.strain, p.stress * stressUnit(units),
-                            p.width * units.lengthMm, p.height * units.lengthMm, p.back ? 1 : 0);
-    }
-    return text;
-}
-
-nlohmann::ordered_json toJson(const PullCommandOptions& options, const PeriodicCell& settled,
+nlohmann::ordered_json toJson(const PullCommandOptions& options, const simulation::FabricCell& settled,
                               const PullResult& result, double wallSeconds) {
-    const double stress = stressUnit(settled.units);
+    const double stress = simulation::stressUnit(settled.units);
     nlohmann::ordered_json points = nlohmann::ordered_json::array();
     for (const PullPoint& p : result.points) {
         points.push_back({{"strain", p.strain},
@@ -107,7 +89,7 @@ int runPull(const PullCommandOptions& options) {
         return kUnusable;
     }
     const Deadline deadline(options.periodic.maxSeconds);
-    const auto settled = settlePeriodic(*loaded, options.periodic, deadline, kNodesPerLoop);
+    const auto settled = settlePeriodic(*loaded, options.periodic, deadline, simulation::kPullNodesPerLoop);
     if (!settled) {
         return kUnusable;
     }
@@ -127,7 +109,7 @@ int runPull(const PullCommandOptions& options) {
     } else {
         printText(report);
     }
-    if (!options.csv.empty() && !writeCsv(options.csv, toCsv(result, settled->units))) {
+    if (!options.csv.empty() && !writeCsv(options.csv, simulation::pullCsv(result.points, settled->units))) {
         return kUnusable;
     }
     const bool sound =

@@ -29,7 +29,7 @@ struct RelaxOptions {
     bool periodic = false;
     std::optional<double> friction;
     double set = 0;
-    bool free = false;
+    std::string surroundings;
 };
 
 /// "W0:W1,C0:C1". Returns what is wrong, or an empty string.
@@ -124,12 +124,13 @@ void printText(const nlohmann::ordered_json& r) {
 }
 
 int runRelax(const RelaxOptions& options) {
-    if (options.model != "yarn" && (options.periodic || options.free)) {
-        fmt::print(stderr, "--periodic and --free need --model yarn\n");
+    if (options.model != "yarn" && (options.periodic || !options.surroundings.empty())) {
+        fmt::print(stderr, "--periodic and --surroundings need --model yarn\n");
         return kUnusable;
     }
-    if (options.periodic && !(options.region.empty() && options.state.empty())) {
-        fmt::print(stderr, "--region and -o are for whole fabrics, not for --periodic\n");
+    if (options.periodic &&
+        !(options.region.empty() && options.state.empty() && options.surroundings.empty())) {
+        fmt::print(stderr, "--region, --surroundings and -o are for whole fabrics, not for --periodic\n");
         return kUnusable;
     }
     if (!options.periodic && (options.friction || options.set > 0)) {
@@ -154,7 +155,7 @@ int runRelax(const RelaxOptions& options) {
     }
     if (options.model == "yarn") {
         return relaxFabric(*loaded, {options.integrator, options.state, options.until, options.maxSeconds,
-                                     region, options.free, options.json});
+                                     region, surroundingsOf(options.surroundings), options.json});
     }
     simulation::Simulation simulation;
     if (!options.integrator.empty()) {
@@ -210,8 +211,7 @@ void addRelax(CLI::App& app, Command& chosen) {
     command->add_option("--region", options->region, "W0:W1,C0:C1: wales and courses to measure, from 0");
     command->add_flag("--periodic", options->periodic, "settle one repeat of the pattern (--model yarn)");
     addYarnPhysics(*command, options->friction, options->set);
-    command->add_flag("--free", options->free,
-                      "let the fabric curl instead of lying on a table (--model yarn)");
+    addSurroundings(*command, options->surroundings);
     command->add_flag("--json", options->json, "print JSON");
     command->add_option("-o", options->state, "write the settled shape (JSON)");
     command->callback([&chosen, options] { chosen = [options] { return runRelax(*options); }; });

@@ -41,6 +41,10 @@ const char* reasonText(physics::StopRule::Verdict verdict) {
                                                              : verdictText(verdict);
 }
 
+const char* surroundingsId(simulation::Surroundings surroundings) {
+    return simulation::surroundingsKinds()[static_cast<std::size_t>(surroundings)].id;
+}
+
 /// What the audit found, with places.
 void addAudit(nlohmann::ordered_json& r, const Loaded& loaded, const YarnAudit& audit) {
     r["penetrations"] = audit.coreOverlaps;
@@ -59,7 +63,7 @@ void addAudit(nlohmann::ordered_json& r, const Loaded& loaded, const YarnAudit& 
 
 nlohmann::ordered_json report(const Loaded& loaded, const YarnSettling& settling,
                               const geometry::Measurement& inner, const geometry::Measurement& whole,
-                              const std::string& integrator) {
+                              const YarnSettling::Options& settings) {
     double mass = 0;
     for (const fabric::Yarn& yarn : loaded.fabric->yarns) {
         mass += yarn.lengthMm * loaded.yarns[yarn.carrier].tex * 1e-6;
@@ -69,7 +73,8 @@ nlohmann::ordered_json report(const Loaded& loaded, const YarnSettling& settling
     return {{"file", loaded.timeline->program().file},
             {"model", "yarn"},
             {"periodic", false},
-            {"integrator", integrator},
+            {"integrator", settings.integrator},
+            {"surroundings", surroundingsId(settings.surroundings)},
             {"converged", isAtRest(rest.verdict)},
             {"reason", reasonText(rest.verdict)},
             {"residual", rest.residual},
@@ -123,6 +128,21 @@ geometry::Region innerRegion(const fabric::Fabric& fabric, std::span<const float
     return {wales, whole.wales - 1 - wales, courses, whole.courses - 1 - courses};
 }
 
+void addSurroundings(CLI::App& command, std::string& id) {
+    std::vector<std::string> ids;
+    for (const simulation::SurroundingsInfo& info : simulation::surroundingsKinds()) {
+        ids.emplace_back(info.id);
+    }
+    command.add_option("--surroundings", id, "what the yarn lies on or hangs from (yarn model); flat")
+        ->check(CLI::IsMember(ids));
+}
+
+simulation::Surroundings surroundingsOf(const std::string& id) {
+    const auto kinds = simulation::surroundingsKinds();
+    const auto found = std::ranges::find(kinds, id, &simulation::SurroundingsInfo::id);
+    return found == kinds.end() ? simulation::Surroundings::Flat : found->value;
+}
+
 bool writeState(const std::string& path, const Loaded& loaded, std::span<const float> positions) {
     const nlohmann::ordered_json state{{"format", "knittsim-state"},
                                        {"version", 1},
@@ -142,7 +162,7 @@ int relaxFabric(const Loaded& loaded, const FabricYarnOptions& options) {
     const std::clock_t cpuStart = std::clock();
     YarnSettling::Options settings;
     settings.residual = options.until;
-    settings.onTable = !options.free;
+    settings.surroundings = options.surroundings;
     if (!options.integrator.empty()) {
         settings.integrator = options.integrator.c_str();
     }
@@ -158,7 +178,7 @@ int relaxFabric(const Loaded& loaded, const FabricYarnOptions& options) {
     const geometry::Region region = options.region.value_or(innerRegion(*loaded.fabric, positions));
     nlohmann::ordered_json result =
         report(loaded, settling, geometry::measure(*loaded.fabric, positions, region),
-               geometry::measure(*loaded.fabric, positions), settings.integrator);
+               geometry::measure(*loaded.fabric, positions), settings);
     result["wall_seconds"] = deadline.seconds();
     result["cpu_seconds"] = static_cast<double>(std::clock() - cpuStart) / CLOCKS_PER_SEC;
     const YarnAudit audit = settling.audit();

@@ -2,6 +2,9 @@
 
 #include "app/cli/load.h"
 #include "core/geometry/measure.h"
+#include "core/simulation/surroundings.h"
+
+#include <CLI/App.hpp>
 
 namespace knittsim::cli {
 
@@ -11,9 +14,14 @@ struct FabricYarnOptions {
     double until = 1e-3;    ///< residual
     double maxSeconds = 60;
     std::optional<geometry::Region> region; ///< to measure; the inner part when there is none
-    bool free = false;                      ///< may curl, instead of lying on a table
+    simulation::Surroundings surroundings = simulation::Surroundings::Flat;
     bool json = false;
 };
+
+/// --surroundings; empty: not given.
+void addSurroundings(CLI::App& command, std::string& id);
+/// Flat where the id is empty.
+simulation::Surroundings surroundingsOf(const std::string& id);
 
 /// Settles a whole fabric in the yarn model, measures and audits it and prints that. Returns an exit code.
 int relaxFabric(const Loaded& loaded, const FabricYarnOptions& options);

@@ -12,7 +12,7 @@ namespace {
 
 using physics::CellShape;
 
-nlohmann::ordered_json report(const Loaded& loaded, const PeriodicCell& settled,
+nlohmann::ordered_json report(const Loaded& loaded, const simulation::FabricCell& settled,
                               const std::string& integrator, double wallSeconds) {
     const auto& [found, units, rod, cell] = settled;
     const physics::KnitPurl& pattern = found.repeat.pattern;
@@ -66,7 +66,7 @@ void printText(const nlohmann::ordered_json& r) {
 
 int relaxPeriodic(const Loaded& loaded, const PeriodicOptions& options, bool json) {
     const Deadline deadline(options.maxSeconds);
-    const std::optional<PeriodicCell> settled = settlePeriodic(loaded, options, deadline);
+    const std::optional<simulation::FabricCell> settled = settlePeriodic(loaded, options, deadline);
     if (!settled) {
         return kUnusable;
     }

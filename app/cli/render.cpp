@@ -2,6 +2,7 @@
 #include "app/cli/load.h"
 #include "app/cli/settle.h"
 #include "core/base/message_table.h"
+#include "ui/render/colour_scale.h"
 #include "ui/render/offscreen.h"
 
 #include <fmt/core.h>
@@ -15,6 +16,8 @@ namespace knittsim::cli {
 
 namespace {
 
+using render::ColourBy;
+
 constexpr int kMaxPixels = 8192;
 
 struct RenderOptions {
@@ -26,6 +29,7 @@ struct RenderOptions {
     std::string size = "1280x800";
     bool dark = false;
     bool transparent = false;
+    ColourBy colour = ColourBy::Yarn;
 };
 
 bool parseSize(const std::string& text, int& width, int& height) {
@@ -33,6 +37,14 @@ bool parseSize(const std::string& text, int& width, int& height) {
     return std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) == 2 &&
            static_cast<std::size_t>(used) == text.size() && width > 0 && height > 0 && width <= kMaxPixels &&
            height <= kMaxPixels;
+}
+
+/// What the colours of the picture mean.
+void printScale(ColourBy colour, std::span<const float> values) {
+    const render::ValueRange range = render::rangeOf(values);
+    const bool tension = colour == ColourBy::Tension;
+    fmt::print("{} from {:g} {} (dark violet) to {:g} (yellow)\n", tension ? "yarn tension" : "contact force",
+               range.low, tension ? "mN" : "mN/mm", range.high);
 }
 
 void print(const Diagnostics& diagnostics) {
@@ -51,6 +63,12 @@ int runRender(const RenderOptions& options) {
         fmt::print(stderr, "--style mesh shows bonding points; --relax yarn settles yarn curves\n");
         return kUnusable;
     }
+    const bool known = options.settle.relax == "yarn" || options.colour == ColourBy::Yarn ||
+                       (options.settle.relax == "bonding-points" && options.colour == ColourBy::Tension);
+    if (!known) {
+        fmt::print(stderr, "--colour tension needs a relaxed fabric, --colour contact --relax yarn\n");
+        return kUnusable;
+    }
     const auto loaded = load(options.load);
     if (!loaded) {
         return kUnusable;
@@ -58,6 +76,10 @@ int runRender(const RenderOptions& options) {
     const auto settled = settle(*loaded, options.settle);
     if (!settled) {
         return kUnusable;
+    }
+    if (options.colour != ColourBy::Yarn) {
+        request.values = options.colour == ColourBy::Tension ? settled->tension : settled->contact;
+        printScale(options.colour, request.values);
     }
     request.curves = settled->curves ? &*settled->curves : nullptr;
     request.positions = settled->places;
@@ -90,12 +112,18 @@ void addRender(CLI::App& app, Command& chosen) {
     static const std::map<std::string, DrawStyle> kStyles{
         {"strokes", DrawStyle::Strokes}, {"yarn", DrawStyle::Yarn}, {"mesh", DrawStyle::Mesh}};
     static const std::map<std::string, ViewSide> kSides{{"front", ViewSide::Front}, {"back", ViewSide::Back}};
+    static const std::map<std::string, ColourBy> kColours{
+        {"yarn", ColourBy::Yarn}, {"tension", ColourBy::Tension}, {"contact", ColourBy::Contact}};
     auto options = std::make_shared<RenderOptions>();
     CLI::App* command = app.add_subcommand("render", "Draw the fabric into a PNG file; needs no display");
     command->add_option("file", options->load.file, "machine file")->required();
     command->add_option("-o", options->picture, "PNG file to write")->required();
     command->add_option("--style", options->style, "strokes, yarn or mesh")
         ->transform(CLI::CheckedTransformer(kStyles));
+    command
+        ->add_option("--colour", options->colour,
+                     "what colours tell: yarn, tension (mN) or contact (mN/mm of yarn; --relax yarn)")
+        ->transform(CLI::CheckedTransformer(kColours));
     command->add_option("--side", options->side, "front or back")->transform(CLI::CheckedTransformer(kSides));
     command->add_option("--size", options->size, "WxH in pixels")->capture_default_str();
     addSettling(*command, options->settle);

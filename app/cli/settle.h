@@ -15,14 +15,19 @@ namespace knittsim::cli {
 struct SettleOptions {
     std::string relax = "bonding-points";
     double maxSeconds = 60;
+    std::string surroundings; ///< of the yarn model; empty: not given
 };
 
-/// --relax and --max-seconds.
+/// --relax, --max-seconds and --surroundings.
 void addSettling(CLI::App& command, SettleOptions& options);
 
 struct Settled {
     std::vector<float> places;                    ///< 3 per entry, mm; empty: where the machine leaves them
     std::optional<geometry::YarnCurves> curves{}; ///< of the yarn model
+    /// As the colour of a picture may tell them (render::PictureRequest::values): of the curves, or of the
+    /// bonding points. Empty where there are none.
+    std::vector<float> tension{}; ///< mN
+    std::vector<float> contact{}; ///< mN/mm of yarn
 };
 
 /// Nothing, and said on stderr, when the fabric cannot be settled so.

@@ -1,7 +1,7 @@
 #include "core/simulation/fabric_yarns.h"
 
 #include "core/geometry/yarn_curve_builder.h"
-#include "core/physics/yarn_model/fabric_repeat.h"
+#include "core/simulation/fabric_cell.h"
 #include "core/simulation/simulation.h"
 
 #include <algorithm>
@@ -27,6 +27,7 @@ constexpr double kLowest = 1 / 6.5;      ///< course spacing, where the repeat d
 constexpr std::size_t kLargestCell = 16; ///< stitches of a repeat
 constexpr int kCellEvaluations = 5'000;
 constexpr double kSettleSeconds = 30;                    ///< for the bonding-point model
+constexpr double kGravity = 9.81e-6;                     ///< weight of 1 tex, mN/mm
 constexpr double kClosedLoop = 1 - fabric::kSinkerShare; ///< of a loop length, between its two bases
 
 double meanLoopLength(const Fabric& f) {
@@ -56,28 +57,21 @@ machine::CarrierIndex mostUsedCarrier(const Fabric& f) {
 
 /// Wale and course spacing of the fabric's repeat, settled as a periodic cell; nothing where there is none or
 /// where it does not settle well.
-std::optional<Eigen::Vector2d> cellSpacings(const Fabric& f, std::span<const yarn::Yarn> yarns) {
+std::optional<Eigen::Vector2d> cellSpacings(const Fabric& f, std::span<const yarn::Yarn> yarns,
+                                            const std::function<bool()>* cancelled) {
     const std::optional<physics::FabricRepeat> found = physics::findFabricRepeat(f);
     if (!found || found->repeat.pattern.faces.size() > kLargestCell) {
         return std::nullopt;
     }
-    const yarn::Yarn material = found->carrier < yarns.size() ? yarns[found->carrier] : yarn::Yarn();
-    const physics::YarnUnits units = physics::unitsOf(material);
-    std::vector<double> lengths = found->repeat.loopLengths;
-    for (double& length : lengths) {
-        length /= units.lengthMm;
-    }
-    physics::CellOptions options;
+    FabricCellOptions options;
     options.relax.mostEvaluations = kCellEvaluations;
-    const physics::RodYarn rod = physics::toRod(material, units);
-    if (rod.friction > 0) {
-        options.machine = physics::machineHold(f.pitchMm, units);
-    }
-    const physics::CellShape cell = physics::relaxCell(found->repeat.pattern, lengths, rod, options);
+    options.relax.cancelled = cancelled;
+    const FabricCell settled = settleCell(f, *found, yarns, options);
+    const physics::CellShape& cell = settled.cell;
     if (!physics::isAtRest(cell.relax.verdict) || !cell.faults.empty()) {
         return std::nullopt;
     }
-    return units.lengthMm * Eigen::Vector2d(cell.waleSpacing, cell.courseSpacing);
+    return settled.units.lengthMm * Eigen::Vector2d(cell.waleSpacing, cell.courseSpacing);
 }
 
 /// Factors along x and y from the machine's shape to the spacings that the layout asks for.
@@ -85,7 +79,7 @@ Eigen::Vector2d drawIn(const Fabric& f, std::span<const yarn::Yarn> yarns, const
     const geometry::Measurement machine = geometry::measure(f, machinePositions(f));
     double wale = layout.waleSpacingMm;
     double course = layout.courseSpacingMm;
-    if (const auto cell = cellSpacings(f, yarns); cell && !(wale > 0 && course > 0)) {
+    if (const auto cell = cellSpacings(f, yarns, layout.cancelled); cell && !(wale > 0 && course > 0)) {
         wale = cell->x();
         course = cell->y();
     }
@@ -94,7 +88,7 @@ Eigen::Vector2d drawIn(const Fabric& f, std::span<const yarn::Yarn> yarns, const
         net.apply(command::Load{
             .fabric = std::make_shared<Fabric>(f), .yarns = {yarns.begin(), yarns.end()}, .generation = 1});
         net.apply(command::Start{});
-        net.runToEnd(kSettleSeconds);
+        net.advance(1e3 * kSettleSeconds, layout.cancelled);
         const geometry::Measurement rest = geometry::measure(f, net.frame().positions);
         wale = wale > 0 ? wale : rest.waleSpacingMm;
         // The net of bonding points has no thickness; yarn does not come out of so narrow a start.
@@ -281,8 +275,10 @@ FabricYarns layYarns(const Fabric& f, std::span<const yarn::Yarn> yarns, const Y
         }
     }
     std::vector<double> diameters;
+    result.chains.yarns.resize(carriers);
+    result.weightOfYarn.resize(carriers);
     for (machine::CarrierIndex c = 0; c < carriers; ++c) {
-        result.chains.yarns.push_back(physics::toRod(yarnOf(c), result.units));
+        setYarn(result, c, yarnOf(c));
         diameters.push_back(yarnOf(c).outerDiameterMm);
     }
     const double loopLength = meanLoopLength(f);
@@ -300,11 +296,20 @@ FabricYarns layYarns(const Fabric& f, std::span<const yarn::Yarn> yarns, const Y
     return result;
 }
 
+void setYarn(FabricYarns& yarns, machine::CarrierIndex carrier, const yarn::Yarn& yarn) {
+    if (carrier >= yarns.chains.yarns.size()) {
+        return;
+    }
+    yarns.chains.yarns[carrier] = physics::toRod(yarn, yarns.units);
+    yarns.weightOfYarn[carrier] = kGravity * yarn.tex * yarns.units.lengthMm / yarns.units.forceMilliNewton();
+}
+
 FabricYarns withHalfTheNodes(const Fabric& f, const FabricYarns& yarns, const physics::Vector& x) {
     FabricYarns result;
     result.units = yarns.units;
     result.carrier = yarns.carrier;
     result.chains.yarns = yarns.chains.yarns;
+    result.weightOfYarn = yarns.weightOfYarn;
     std::vector<Entry> renamed(static_cast<std::size_t>(yarns.chains.nodeCount()), 0);
     std::vector<Entry> kept;
     for (const physics::Chain& chain : yarns.chains.chains) {

@@ -6,6 +6,7 @@
 #include "core/physics/yarn_model/chains.h"
 #include "core/physics/yarn_model/yarn_units.h"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace knittsim::simulation {
 struct FabricYarns {
     physics::YarnChains chains;            ///< one chain a yarn; lengths in `units`, yarns by carrier
     physics::YarnUnits units;              ///< those of the yarn of which there is most
+    std::vector<double> weightOfYarn;      ///< by carrier, as chains.yarns: of a length of yarn, EI/d^3
     std::vector<fabric::PointIndex> point; ///< by node: bonding point at or before it
     std::vector<fabric::PointIndex>
         piece; ///< by node: bonding point whose leg, float or half sinker it is on
@@ -32,12 +34,17 @@ struct FabricYarns {
     std::vector<Knot> knots;
 };
 
+/// Gives a carrier another yarn; nodes and fed lengths stay. Carriers without yarn are ignored.
+void setYarn(FabricYarns& yarns, machine::CarrierIndex carrier, const yarn::Yarn& yarn);
+
 /// How the yarns are laid out at first.
 struct YarnLayout {
     int nodesPerLoop = 18;
     /// To start from; 0: those of the fabric's repeat, or of the bonding-point model at rest.
     double waleSpacingMm = 0;
     double courseSpacingMm = 0;
+    /// Asked at least every 20 ms of settling for these spacings; once true, the layout is of no use.
+    const std::function<bool()>* cancelled = nullptr;
 };
 
 /// The exact curves of the machine's shape, drawn in to the given spacings: one stretch along each axis of

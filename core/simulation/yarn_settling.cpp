@@ -1,11 +1,11 @@
 #include "core/simulation/yarn_settling.h"
 
-#include "core/physics/plate_term.h"
 #include "core/physics/yarn_model/bar_term.h"
 #include "core/physics/yarn_model/knot_term.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace knittsim::simulation {
 
@@ -13,21 +13,23 @@ namespace {
 
 using physics::Entry;
 using physics::StopRule;
+using physics::YarnRelaxation;
 
 constexpr int kSweepsAtOnce = 10;
 constexpr int kMostSweeps = 200;
 constexpr int kMostGrownSweeps = 150; ///< at full thickness; the rods make the rest of the room
 constexpr double kCoarseFrom = 0.5;   ///< thickness
 constexpr int kStraightening = 12;
-constexpr double kStraight = 1e-6;   ///< d
-constexpr double kRoomEnough = 1.03; ///< distance over core diameter
-constexpr double kHolding = 1;       ///< stiffness of comb, holder and knots against that of a segment
-constexpr double kPlates = 0.1;
+constexpr double kStraight = 1e-6;    ///< d
+constexpr double kRoomEnough = 1.03;  ///< distance over core diameter
+constexpr double kHolding = 1;        ///< stiffness of comb, holder and knots against that of a segment
+constexpr double kPull = 2;           ///< stiffness of a person's pull, EI/d^3
 constexpr double kTwoFacedHalf = 2.4; ///< diameters: a rib is 3.4 to 4.8 thick (PHYSICS-REFERENCE 3.3)
 /// A fabric whose energy falls by less in so many steps is at rest for all that one can measure of it: what
 /// still moves are loose ends.
 constexpr double kEnergyAtRest = 1e-3;
 constexpr double kEnergyHeld = 1e-2;
+constexpr double kEnergyPulled = 1e-4; ///< what a person pulls is to follow
 constexpr std::size_t kStepsAtRest = 8;
 
 std::vector<Entry> endsOf(const physics::YarnChains& chains) {
@@ -144,13 +146,58 @@ void YarnSettling::coarsen() {
 
 void YarnSettling::startSettling() {
     m_growth.reset();
+    const double relief = centreRelief(m_motion.positions);
+    const double thickest = physics::thickestYarn(m_yarns.chains.yarns);
+    m_halfGap = std::max(relief, isTwoFaced(m_fabric) ? kTwoFacedHalf * thickest : 0);
+    m_grown = m_motion.positions;
+    const bool free = m_options.surroundings == Surroundings::Free;
+    build(free ? Stage::Shaken : Stage::Held, YarnRelaxation::Start::Thin);
+}
+
+/// Plates and pins keep the fabric flat; else it finds a shape in space, which friction would hold back.
+bool YarnSettling::curls() const {
+    return m_options.surroundings != Surroundings::Flat && m_options.surroundings != Surroundings::Pinned;
+}
+
+YarnSettling::Stage YarnSettling::stageAfter(Stage stage) const {
+    if (stage == Stage::Held && curls()) {
+        return Stage::Shaken;
+    }
+    return m_options.surroundings == Surroundings::Free ? stage : Stage::Rubbed;
+}
+
+/// A new model of the present yarns at the present shape.
+void YarnSettling::build(Stage stage, YarnRelaxation::Start start) {
+    if (m_relaxation) {
+        m_earlier.addWork(m_relaxation->report());
+        m_relaxation.reset();
+    }
+    m_friction = nullptr;
+    m_stage = stage;
     m_model = std::make_unique<physics::YarnModel>(m_yarns.chains);
-    physics::Vector& x = m_motion.positions;
-    const double relief = centreRelief(x);
+    addHoldings();
+    const bool held = stage == Stage::Held;
+    surround(*m_model, m_fabric, m_yarns, shape(), held ? Surroundings::Flat : m_options.surroundings,
+             m_halfGap);
+    for (const Entry e : held ? edgeNodes(m_fabric, m_yarns) : std::vector<Entry>()) {
+        m_model->setPinned(e, true);
+    }
+    for (const fabric::PointIndex point : m_pins) {
+        m_model->setPinned(nodeAt(point), true);
+    }
+    if (stage == Stage::Rubbed) {
+        m_friction = physics::addFriction(*m_model, m_yarns.chains);
+    }
+    wake();
+    m_relaxation.emplace(*m_model, m_motion, m_options.integrator, m_options.residual, start);
+}
+
+/// Comb, stitch holder, knots and a person's pull.
+void YarnSettling::addHoldings() {
     const double stiffness = kHolding * m_model->stiffnessScale();
     for (const std::vector<Entry>& bar : {m_yarns.onComb, m_yarns.onHolder}) {
         if (!bar.empty()) {
-            m_model->add(std::make_unique<physics::BarTerm>(bar, x, stiffness));
+            m_model->add(std::make_unique<physics::BarTerm>(bar, m_grown, stiffness));
         }
     }
     std::vector<physics::KnotTerm::Knot> knots;
@@ -158,41 +205,81 @@ void YarnSettling::startSettling() {
         knots.push_back({knot.end, knot.at, knot.length, stiffness});
     }
     m_model->add(std::make_unique<physics::KnotTerm>(std::move(knots)));
-    if (m_options.onTable) {
-        const double least = isTwoFaced(m_fabric) ? kTwoFacedHalf * m_model->thickestDiameter() : 0;
-        m_model->add(std::make_unique<physics::PlateTerm>(std::max(relief, least),
-                                                          kPlates * m_model->stiffnessScale()));
-        hold(true);
+    auto pull = std::make_unique<physics::DragTerm>();
+    m_pull = pull.get();
+    m_model->add(std::move(pull));
+    if (m_pulled) {
+        m_pull->pulls() = {{nodeAt(m_pulled->point), m_pulled->place / m_yarns.units.lengthMm, kPull}};
     }
-    m_relaxation.emplace(*m_model, m_motion, m_options.integrator, m_options.residual);
+}
+
+/// What came to rest moves again.
+void YarnSettling::wake() {
     m_phase = Phase::Settling;
-}
-
-/// Both ends of every course, comb and stitch holder.
-void YarnSettling::hold(bool held) {
-    m_held = held;
-    const auto pin = [&](Entry node) {
-        if (node >= 0) {
-            m_model->setPinned(node, held);
-        }
-    };
-    for (const fabric::YarnCourse& course : m_fabric.courses) {
-        if (course.count > 0) {
-            pin(m_yarns.nodeOfPoint[static_cast<std::size_t>(course.first)]);
-            pin(m_yarns.nodeOfPoint[static_cast<std::size_t>(course.first + course.count - 1)]);
-        }
-    }
-    std::ranges::for_each(m_yarns.onComb, pin);
-    std::ranges::for_each(m_yarns.onHolder, pin);
-}
-
-/// From here on friction holds what the edges held.
-void YarnSettling::letGo() {
-    hold(false);
-    m_friction = physics::addFriction(*m_model, m_yarns.chains);
-    m_relaxation.emplace(*m_model, m_motion, m_options.integrator, m_options.residual,
-                         physics::YarnRelaxation::Start::Thick);
     m_energies.clear();
+}
+
+/// -1 where no yarn was laid.
+Entry YarnSettling::nodeAt(fabric::PointIndex point) const {
+    const bool known = point >= 0 && static_cast<std::size_t>(point) < m_yarns.nodeOfPoint.size();
+    return known ? m_yarns.nodeOfPoint[static_cast<std::size_t>(point)] : -1;
+}
+
+void YarnSettling::setYarn(machine::CarrierIndex carrier, const yarn::Yarn& yarn) {
+    if (*m_problem != '\0' || carrier >= m_yarns.chains.yarns.size()) {
+        return;
+    }
+    const double before = physics::thickestYarn(m_yarns.chains.yarns);
+    simulation::setYarn(m_yarns, carrier, yarn);
+    m_halfGap *= physics::thickestYarn(m_yarns.chains.yarns) / before;
+    if (m_growth) {
+        m_growth.emplace(m_yarns.chains, endsOf(m_yarns.chains), m_growth->thickness());
+        m_grownSweeps = 0;
+    } else {
+        build(m_stage == Stage::Held ? Stage::Held : Stage::Shaken, YarnRelaxation::Start::Thin);
+    }
+}
+
+void YarnSettling::setSurroundings(Surroundings surroundings) {
+    const bool changes = surroundings != m_options.surroundings;
+    m_options.surroundings = surroundings;
+    if (changes && m_model) {
+        const bool held = m_stage == Stage::Held && surroundings != Surroundings::Free;
+        build(held ? Stage::Held : stageAfter(Stage::Held), YarnRelaxation::Start::Thick);
+    }
+}
+
+void YarnSettling::drag(fabric::PointIndex point, const Vec3& place) {
+    if (nodeAt(point) < 0 || !place.allFinite()) {
+        return;
+    }
+    m_pulled = Pull{point, place};
+    if (m_model) {
+        m_pull->pulls() = {{nodeAt(point), place / m_yarns.units.lengthMm, kPull}};
+        m_relaxation->restart();
+        wake();
+    }
+}
+
+void YarnSettling::release() {
+    if (std::exchange(m_pulled, std::nullopt) && m_model) {
+        m_pull->pulls().clear();
+        m_relaxation->restart();
+        wake();
+    }
+}
+
+void YarnSettling::setPinned(fabric::PointIndex point, bool pinned) {
+    if (nodeAt(point) < 0) {
+        return;
+    }
+    std::erase(m_pins, point);
+    if (pinned) {
+        m_pins.push_back(point);
+    }
+    if (m_model) {
+        build(m_stage, YarnRelaxation::Start::Thick);
+    }
 }
 
 /// The energy falls by less than this share in some steps.
@@ -211,17 +298,19 @@ bool YarnSettling::settle(const physics::Interrupt& interrupt) {
     }
     const bool goesOn = m_relaxation->step(interrupt);
     m_report = m_relaxation->report();
+    m_report.addWork(m_earlier);
     if (m_relaxation->last().outcome == physics::StepReport::Outcome::Cancelled) {
         return false;
     }
     m_energies.push_back(m_model->thickness() < 1 ? HUGE_VAL : m_report.energy);
-    if (m_held) {
-        if (!goesOn || isStill(kEnergyHeld)) {
-            letGo();
+    const Stage next = stageAfter(m_stage);
+    if (next != m_stage) {
+        if (!goesOn || isStill(m_stage == Stage::Shaken ? kEnergyAtRest : kEnergyHeld)) {
+            build(next, YarnRelaxation::Start::Thick);
         }
         return true;
     }
-    if (goesOn && m_relaxation->takesLargeSteps() && isStill(kEnergyAtRest)) {
+    if (goesOn && m_relaxation->takesLargeSteps() && isStill(m_pulled ? kEnergyPulled : kEnergyAtRest)) {
         m_report.verdict = StopRule::Verdict::Stagnation;
         m_phase = Phase::Done;
     }
@@ -229,6 +318,47 @@ bool YarnSettling::settle(const physics::Interrupt& interrupt) {
         m_phase = Phase::Done;
     }
     return m_phase != Phase::Done;
+}
+
+std::vector<float> YarnSettling::tension() const {
+    if (!m_model) {
+        return {};
+    }
+    const std::vector<double> bySegment = m_model->stretch().tensions(shape());
+    const double unit = m_yarns.units.forceMilliNewton();
+    std::vector<float> result;
+    std::size_t first = 0; // segment of the chain
+    for (const physics::Chain& chain : m_yarns.chains.chains) {
+        const auto segments = static_cast<std::size_t>(chain.segmentCount());
+        for (std::size_t i = 0; i <= segments; ++i) {
+            const double before = bySegment[first + (i > 0 ? i - 1 : 0)];
+            const double after = bySegment[first + std::min(i, segments - 1)];
+            result.push_back(static_cast<float>(0.5 * unit * (before + after)));
+        }
+        first += segments;
+    }
+    return result;
+}
+
+std::vector<float> YarnSettling::contactForce() const {
+    if (!m_model) {
+        return {};
+    }
+    physics::Vector gradient = physics::Vector::Zero(shape().size());
+    m_model->contact().evaluate(shape(), &gradient);
+    m_model->cores().evaluate(shape(), &gradient);
+    const double unit = m_yarns.units.forceMilliNewton() / m_yarns.units.lengthMm;
+    const std::vector<double> lengths = physics::nodeLengths(m_yarns.chains);
+    std::vector<float> result;
+    for (std::size_t e = 0; e < lengths.size(); ++e) {
+        const double force = physics::at(gradient, static_cast<Entry>(e)).norm();
+        result.push_back(static_cast<float>(unit * force / lengths[e]));
+    }
+    return result;
+}
+
+YarnPicture YarnSettling::picture() const {
+    return {curves(), entryPositions(m_fabric, m_yarns, shape()), tension(), contactForce()};
 }
 
 YarnAudit YarnSettling::audit() const {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "core/geometry/curve_report.h"
+#include "core/physics/drag_term.h"
 #include "core/physics/yarn_model/load_step.h"
 #include "core/physics/yarn_model/yarn_growth.h"
-#include "core/simulation/fabric_yarns.h"
+#include "core/simulation/surroundings.h"
+#include "core/simulation/yarn_picture.h"
 
 #include <memory>
 #include <optional>
@@ -30,20 +32,23 @@ struct YarnAudit {
 
 /// Settles a whole fabric in the yarn model, step by step: thin yarns along the machine's curves, drawn in
 /// (layYarns), that grow and make room for each other (YarnGrowth), then rods that come to rest. The first
-/// course hangs on a comb, the live loops on a stitch holder; both float. On a table the edges are held until
-/// the stitches have settled; then friction holds what it can. A fabric that may curl is shaken: it has no
-/// friction. One thread at a time.
+/// course hangs on a comb, the live loops on a stitch holder; both float. First the edges are held, between
+/// plates, until the stitches have settled; then the surroundings take over, and friction holds what it can.
+/// Where the fabric may curl it is shaken first; a free one is neither held nor rubbed.
+///
+/// What a person does (another yarn, other surroundings, a pull, a pin) goes on from the present shape, also
+/// from one at rest. Steps stay limited, so no strand passes through another then either. One thread at a
+/// time.
 class YarnSettling {
 public:
     struct Options {
         YarnLayout layout{};
         const char* integrator = "implicit";
         double residual = 1e-3;
-        /// Between two soft plates, as far apart as the relief of the fabric with stitches of one bed,
-        /// farther where it has stitches of both; else it may curl.
-        bool onTable = true;
+        Surroundings surroundings = Surroundings::Flat;
     };
 
+    /// The fabric must outlive it.
     YarnSettling(const fabric::Fabric& fabric, std::span<const yarn::Yarn> yarns, const Options& options);
 
     /// Why there is nothing to settle; empty when all is well.
@@ -55,22 +60,48 @@ public:
     /// Some sweeps or one step. False when it is done, or cancelled.
     bool step(const physics::Interrupt& interrupt);
 
+    /// Another diameter, weight and stiffness: all yarns get as thin as there is room for, grow again, and
+    /// the fabric is shaken until it has settled once more. No effect without yarn of that carrier.
+    void setYarn(machine::CarrierIndex carrier, const yarn::Yarn& yarn);
+    void setSurroundings(Surroundings surroundings);
+
+    /// A spring from the yarn at a bonding point to a place, mm, until release(). Begins to act when the
+    /// yarns have grown.
+    void drag(fabric::PointIndex point, const Vec3& place);
+    void release();
+    /// Holds the yarn at a bonding point where it is, or frees it. Likewise.
+    void setPinned(fabric::PointIndex point, bool pinned);
+
     const FabricYarns& yarns() const { return m_yarns; }
     const physics::Vector& shape() const { return m_motion.positions; }
     const physics::YarnRelaxReport& report() const { return m_report; }
 
     YarnAudit audit() const; ///< of the present shape
     geometry::YarnCurves curves() const { return curvesOf(m_yarns, shape()); }
+    YarnPicture picture() const;
 
 private:
+    /// How the rods come to rest.
+    enum class Stage {
+        Held,   ///< edges pinned, between plates, no friction
+        Shaken, ///< in the surroundings, no friction
+        Rubbed, ///< in the surroundings, with friction
+    };
+
     void grow();
     int straighten();
     void coarsen();
     void startSettling();
+    void build(Stage stage, physics::YarnRelaxation::Start start);
+    void addHoldings();
+    bool curls() const;
+    Stage stageAfter(Stage stage) const;
+    void wake();
     bool settle(const physics::Interrupt& interrupt);
-    void hold(bool held);
-    void letGo();
     bool isStill(double share) const;
+    std::vector<float> tension() const;
+    std::vector<float> contactForce() const;
+    physics::Entry nodeAt(fabric::PointIndex point) const;
 
     const fabric::Fabric& m_fabric;
     Options m_options;
@@ -83,12 +114,23 @@ private:
     bool m_dense = true; ///< twice the nodes, until the yarns have some thickness
     physics::Motion m_motion;
     std::optional<physics::YarnGrowth> m_growth;
+    physics::Vector m_grown; ///< shape in which comb and stitch holder are rigid
+    double m_halfGap = 0;    ///< between the plates, yarns as thick as the thickest was
+    Stage m_stage = Stage::Held;
     std::unique_ptr<physics::YarnModel> m_model;
     physics::FrictionTerm* m_friction = nullptr; ///< of the model; null when there is none
-    bool m_held = false;                         ///< edges stay where the repeat's spacings put them
+    physics::DragTerm* m_pull = nullptr;         ///< of the model
     std::optional<physics::YarnRelaxation> m_relaxation;
     physics::YarnRelaxReport m_report;
-    std::vector<double> m_energies; ///< by step
+    physics::YarnRelaxReport m_earlier; ///< work of the models before the present one
+    std::vector<double> m_energies;     ///< by step
+
+    struct Pull {
+        fabric::PointIndex point = -1;
+        Vec3 place = Vec3::Zero(); ///< mm
+    };
+    std::optional<Pull> m_pulled;
+    std::vector<fabric::PointIndex> m_pins;
 };
 
 } // namespace knittsim::simulation

@@ -3,5 +3,5 @@ uniform vec3 uAccent;
 
 void main() {
     findSurface();
-    oColour = vec4(mix(uColour, uAccent, vGlow), 1.0);
+    oColour = vec4(mix(colourHere(uColour), uAccent, vGlow), 1.0);
 }

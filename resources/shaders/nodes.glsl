@@ -2,7 +2,7 @@
 // driver pays for each of them at every pixel.
 
 uniform samplerBuffer uNodes;      // x y z, arc length (mm)
-uniform usamplerBuffer uSurface;   // direction across and height, fabric normal; packed
+uniform usamplerBuffer uSurface;   // direction across and height, fabric normal and value; packed
 uniform usamplerBuffer uOwner;     // bonding point
 uniform usamplerBuffer uState;     // by bonding point: 0 plain, 1 selected, 2 hovered
 uniform mat4 uView;
@@ -17,6 +17,7 @@ out float vArc;                    // mm
 out float vDepth;                  // diameters over the fabric's middle, towards the viewer
 out float vSlope;                  // sine of the angle between yarn and line of sight
 out float vGlow;                   // 1 selected, 0.5 hovered, 0
+out float vValue;                  // 0 to 1: what the colour tells
 
 struct Node {
     vec3 place;
@@ -63,6 +64,7 @@ Node readNode(int index) {
     vec3 normal = unpackDirection(surface.g);
     float facing = clamp(4.0 * dot(normal, toViewer), -1.0, 1.0);
     float height = facing * (float(surface.r >> 22) / 1023.0 * 4.0 - 2.0);
+    vValue = float(surface.g >> 22) / 1023.0;
     vSlope = max(0.05, length(cross(vTangent, toViewer)));
 
     vGlow = 0.0;

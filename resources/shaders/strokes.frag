@@ -9,7 +9,7 @@ void main() {
     Surface surface = findSurface();
     float side = sqrt(1.0 - surface.round * surface.round);
     float open = smoothstep(-0.9, 0.8, vDepth);
-    vec3 body = mix(uColour, uAccent, 0.85 * vGlow) * (0.55 + 0.45 * open);
+    vec3 body = mix(colourHere(uColour), uAccent, 0.85 * vGlow) * (0.55 + 0.45 * open);
     float along = abs(fract(vArc / uDotMm) - 0.5);
     float softAlong = uSoft * 0.7;
     float dotted = smoothstep(0.0, softAlong + 0.05, 0.28 - along) *

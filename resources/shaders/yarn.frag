@@ -27,7 +27,13 @@ void main() {
     shine *= shine; shine *= shine; shine *= shine; shine *= shine;
     float rim = 1.0 - surface.round;
     float glint = (0.05 + 0.50 * uGloss) * shine * key * open * surface.round + uHair * 0.03 * rim * rim * open;
-    vec3 colour = uColour * (fibres.tint + uHair * 0.18 * rim * rim * open);
+    vec3 colour = colourHere(uColour) * (fibres.tint + uHair * 0.18 * rim * rim * open);
+    if (uByValue) {
+        // White light and shallow shadows: the colour is to be read.
+        colour = colourHere(uColour);
+        light = vec3(0.45 + 0.55 * dot(light, vec3(0.333)));
+        glint = 0.0;
+    }
     vec3 lit = (colour * light + glint) * fibres.relief;
     lit = mix(lit, uAccent * (0.30 + 0.80 * key) * fibres.relief, 0.80 * vGlow);
     oColour = vec4(sqrt(clamp(lit, 0.0, 1.0)), 1.0);

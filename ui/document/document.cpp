@@ -55,6 +55,7 @@ Document::Document(QObject* parent) : QObject(parent), m_library(readLibrary()),
     connect(&m_bridge, &SimulationBridge::stateChanged, this, &Document::activityChanged);
     connect(&m_yarnRun, &YarnRun::changed, this, &Document::yarnRunChanged);
     connect(this, &Document::fabricShown, &m_yarnRun, &YarnRun::clear);
+    connect(this, &Document::fabricShown, this, &Document::forgetPins);
     connect(this, &Document::activityChanged, &m_yarnRun, [this] {
         if (activity() == Activity::Settling) {
             m_yarnRun.clear();
@@ -327,7 +328,11 @@ void Document::applyYarn(int carrier, const yarn::Yarn& yarn) {
     present = yarn;
     if (body) {
         m_bridge.post(command::SetYarn{carrier, yarn});
-        m_bridge.post(command::Start{});
+        if (m_yarnRun.exists()) {
+            m_yarnRun.setYarn(static_cast<machine::CarrierIndex>(carrier), yarn);
+        } else {
+            m_bridge.post(command::Start{});
+        }
     }
     emit yarnsChanged();
 }
@@ -365,27 +370,32 @@ void Document::stop() {
 
 void Document::settleYarn() {
     if (m_yarnRun.running()) {
-        m_yarnRun.stop();
-        return;
+        m_yarnRun.pause();
+    } else if (m_yarnRun.shape() && !m_yarnRun.shape()->finished) {
+        m_yarnRun.resume();
+    } else {
+        startYarn();
     }
+}
+
+void Document::startYarn() {
     if (!m_whole || m_ladders.running()) {
         return;
     }
     setStep(operationCount());
-    if (activity() == Activity::Settling) {
-        pause();
+    stop(); // what happens to the yarn does not wake the net of bonding points
+    m_yarnRun.start(m_whole, yarnsOf(m_carriers));
+    for (const fabric::PointIndex point : m_pins) {
+        m_yarnRun.setPinned(point, true);
     }
-    std::vector<yarn::Yarn> yarns;
-    for (const CarrierYarn& carrier : m_carriers) {
-        yarns.push_back(carrier.yarn);
-    }
-    m_yarnRun.start(m_whole, std::move(yarns));
 }
 
 void Document::restart() {
     if (m_ladders.running()) {
         m_restartAfterLadder = true;
         m_ladders.finish();
+    } else if (m_yarnRun.exists()) {
+        startYarn();
     } else if (m_file) {
         m_bridge.restart();
         emit generationChanged();
@@ -401,20 +411,77 @@ void Document::setIntegrator(const QString& id) {
     }
 }
 
-void Document::drag(fabric::EntryIndex entry, Vec3 point) {
-    if (showsPrefix() && m_prefix->whole != m_whole) {
-        return;
+bool Document::showsYarn() const {
+    return m_yarnRun.shape() && m_yarnRun.shape()->fabric == shownFabric();
+}
+
+fabric::EntryIndex Document::wholeEntryOf(fabric::PointIndex point) const {
+    const auto fabric = shownFabric();
+    const bool foreign = showsPrefix() && m_prefix->whole != m_whole;
+    if (!fabric || foreign || point < 0 || static_cast<std::size_t>(point) >= fabric->points.size()) {
+        return -1;
     }
-    if (showsPrefix() && entry >= 0 && static_cast<std::size_t>(entry) < m_prefix->wholeEntry.size()) {
-        entry = m_prefix->wholeEntry[static_cast<std::size_t>(entry)];
-    }
-    if (entry >= 0) {
-        m_bridge.post(command::Drag{entry, point.x(), point.y(), point.z()});
+    const fabric::EntryIndex entry = fabric->points[static_cast<std::size_t>(point)].entry;
+    const bool mapped = showsPrefix() && static_cast<std::size_t>(entry) < m_prefix->wholeEntry.size();
+    return mapped ? m_prefix->wholeEntry[static_cast<std::size_t>(entry)] : entry;
+}
+
+void Document::drag(fabric::PointIndex point, Vec3 place) {
+    if (showsYarn()) {
+        m_yarnRun.drag(point, place);
+    } else if (const fabric::EntryIndex entry = wholeEntryOf(point); entry >= 0) {
+        m_bridge.post(command::Drag{entry, place.x(), place.y(), place.z()});
     }
 }
 
 void Document::releaseDrag() {
     m_bridge.post(command::Release{});
+    m_yarnRun.release();
+}
+
+/// In both models, so that a pin stays when the model is changed.
+void Document::pin(fabric::PointIndex point, bool pinned) {
+    const fabric::EntryIndex entry = wholeEntryOf(point);
+    if (entry < 0) {
+        return;
+    }
+    std::erase(m_pins, point);
+    if (pinned) {
+        m_pins.push_back(point);
+    }
+    m_bridge.post(command::Pin{entry, pinned});
+    if (m_yarnRun.exists()) {
+        m_yarnRun.setPinned(point, pinned);
+    }
+}
+
+void Document::togglePin() {
+    if (m_point >= 0 && !showsPrefix()) {
+        pin(m_point, std::ranges::find(m_pins, m_point) == m_pins.end());
+        emit pinsChanged();
+    }
+}
+
+void Document::removePins() {
+    for (const fabric::PointIndex point : std::vector(m_pins)) {
+        pin(point, false);
+    }
+    emit pinsChanged();
+}
+
+/// Points of another fabric have other numbers. To a simulation that has another one already this says
+/// nothing.
+void Document::forgetPins() {
+    if (m_pins.empty()) {
+        return;
+    }
+    for (const fabric::PointIndex point : m_pins) {
+        if (m_whole && static_cast<std::size_t>(point) < m_whole->points.size()) {
+            m_bridge.post(command::Pin{m_whole->points[static_cast<std::size_t>(point)].entry, false});
+        }
+    }
+    m_pins.clear();
+    emit pinsChanged();
 }
 
 } // namespace knittsim::document

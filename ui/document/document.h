@@ -129,18 +129,29 @@ public:
     void stop();
     QString integrator() const { return m_integrator; }
     void setIntegrator(const QString& id);
-    /// Back to where the machine leaves the fabric; ladders that were taken out stay out.
+    /// Back to where the machine leaves the fabric, in the model that is shown; ladders that were taken out
+    /// stay out.
     void restart();
 
     /// The whole fabric as real yarn (the yarn model), in the background; the shape is gone as soon as
     /// another fabric is shown or the simulation goes on.
     const YarnRun& yarnRun() const { return m_yarnRun; }
-    /// Shows the end of the program, pauses the simulation and settles the yarn; while it runs: stops it.
+    /// Shows the end of the program, pauses the simulation and settles the yarn; while it runs: stops it at
+    /// the present shape; stopped: goes on from there.
     void settleYarn();
+    /// What the yarn lies on or hangs from, in this run and the next ones.
+    void setSurroundings(simulation::Surroundings surroundings) { m_yarnRun.setSurroundings(surroundings); }
+    bool showsYarn() const; ///< the shape of yarnRun() is that of shownFabric()
 
-    /// Pulls an entry of shownFabric() towards a point, mm; until releaseDrag().
-    void drag(fabric::EntryIndex entry, Vec3 point);
+    /// Pulls the yarn at a bonding point of shownFabric() towards a place, mm; until releaseDrag().
+    void drag(fabric::PointIndex point, Vec3 place);
     void releaseDrag();
+
+    /// Bonding points of shownFabric() that are held where they are; none after another fabric is shown.
+    const std::vector<fabric::PointIndex>& pins() const { return m_pins; }
+    /// Holds the selected bonding point, or frees it.
+    void togglePin();
+    void removePins();
 
 signals:
     void openingStarted();
@@ -161,6 +172,7 @@ signals:
     void generationChanged(); ///< load or restart: histories begin anew
     void ladderChanged();     ///< stitchHolder(), unstableLoops(), removedLoops() or laddersRun() changed
     void yarnRunChanged();
+    void pinsChanged();
     void nothingRuns(); ///< the answer to removeLadders() when there is nothing to remove
 
 private:
@@ -175,6 +187,11 @@ private:
     void setPoint(fabric::PointIndex point);
     fabric::PointIndex firstPointOf(LoopIndex loop) const;
     void applyYarn(int carrier, const yarn::Yarn& yarn);
+    void startYarn();
+    void pin(fabric::PointIndex point, bool pinned);
+    void forgetPins();
+    /// -1 where the whole fabric has none, or not yet.
+    fabric::EntryIndex wholeEntryOf(fabric::PointIndex point) const;
     bool showsPrefix() const { return m_prefix != nullptr; }
     void updateShownFrame();
 
@@ -207,6 +224,7 @@ private:
     SimulationBridge m_bridge;
     QString m_integrator;
     YarnRun m_yarnRun;
+    std::vector<fabric::PointIndex> m_pins;
     LadderRunner m_ladders;
     fabric::Runs m_runs; ///< of m_whole, or of the fabric before the ladder that runs
     std::size_t m_loopsGone = 0;

@@ -1,10 +1,11 @@
 #include "ui/document/yarn_run.h"
 
 #include "ui/document/mailbox.h"
+#include "ui/document/yarn_job.h"
 
 #include <QElapsedTimer>
 
-#include <functional>
+#include <optional>
 #include <utility>
 
 namespace knittsim::document {
@@ -13,42 +14,70 @@ namespace {
 
 constexpr qint64 kShapeIntervalMs = 100;
 
-std::shared_ptr<YarnShape> shapeOf(const std::shared_ptr<const fabric::Fabric>& fabric,
-                                   const simulation::YarnSettling& settling) {
+using Settling = simulation::YarnSettling;
+
+struct Task {
+    std::uint64_t generation = 0;
+    std::shared_ptr<const fabric::Fabric> fabric;
+    std::vector<yarn::Yarn> yarns;
+    simulation::Surroundings surroundings = simulation::Surroundings::Flat;
+    std::function<void(std::shared_ptr<const YarnShape>)> tell;
+    std::function<void(const QString&)> fail;
+};
+
+std::shared_ptr<YarnShape> shapeOf(const Task& task, int edits, const Settling& settling) {
     auto shape = std::make_shared<YarnShape>();
-    shape->fabric = fabric;
-    shape->curves = std::make_shared<geometry::YarnCurves>(settling.curves());
+    shape->generation = task.generation;
+    shape->edits = edits;
+    shape->fabric = task.fabric;
+    shape->picture = std::make_shared<simulation::YarnPicture>(settling.picture());
     shape->steps = settling.report().steps;
-    shape->growing = settling.phase() == simulation::YarnSettling::Phase::Growing;
+    shape->growing = settling.phase() == Settling::Phase::Growing;
     shape->verdict = settling.report().verdict;
     return shape;
 }
 
-/// `tell` gets shapes while it goes on and the last one with its audit. Returns what is in the way.
-QString settle(const std::shared_ptr<const fabric::Fabric>& fabric, const std::vector<yarn::Yarn>& yarns,
-               const std::function<bool()>& cancelled,
-               const std::function<void(std::shared_ptr<const YarnShape>)>& tell) {
-    simulation::YarnSettling settling(*fabric, yarns, {});
+std::shared_ptr<const YarnShape> lastShapeOf(const Task& task, int edits, const Settling& settling) {
+    auto shape = shapeOf(task, edits, settling);
+    shape->audit = settling.audit();
+    shape->measured = geometry::measure(*task.fabric, shape->picture->positions);
+    shape->finished = true;
+    return shape;
+}
+
+/// Until the job is ended.
+void settle(YarnJob& job, const Task& task) {
+    if (job.ended()()) {
+        return;
+    }
+    Settling::Options options;
+    options.layout.cancelled = &job.ended();
+    options.surroundings = task.surroundings;
+    Settling settling(*task.fabric, task.yarns, options);
     if (*settling.problem() != '\0') {
-        return QString::fromUtf8(settling.problem());
+        task.fail(QString::fromUtf8(settling.problem()));
+        return;
     }
     QElapsedTimer sinceShape;
     sinceShape.start();
-    while (settling.step(physics::Interrupt(&cancelled))) {
-        if (sinceShape.elapsed() >= kShapeIntervalMs) {
-            tell(shapeOf(fabric, settling));
+    bool atRest = false;
+    for (;;) {
+        const YarnJob::Orders orders = job.next(atRest);
+        if (orders.ended) {
+            return;
+        }
+        for (const YarnJob::Edit& edit : orders.edits) {
+            edit(settling);
+        }
+        settling.step(physics::Interrupt(&job.disturbed()));
+        atRest = settling.phase() == Settling::Phase::Done;
+        if (atRest) {
+            task.tell(lastShapeOf(task, orders.taken, settling));
+        } else if (sinceShape.elapsed() >= kShapeIntervalMs) {
+            task.tell(shapeOf(task, orders.taken, settling));
             sinceShape.restart();
         }
     }
-    if (!cancelled()) {
-        auto last = shapeOf(fabric, settling);
-        last->audit = settling.audit();
-        last->measured = geometry::measure(
-            *fabric, simulation::entryPositions(*fabric, settling.yarns(), settling.shape()));
-        last->finished = true;
-        tell(last);
-    }
-    return {};
 }
 
 } // namespace
@@ -58,67 +87,119 @@ YarnRun::YarnRun(QObject* parent) : QObject(parent), m_mailbox(std::make_shared<
 }
 
 YarnRun::~YarnRun() {
-    if (m_cancelled) {
-        m_cancelled->store(true);
-    }
+    end();
     m_mailbox->close();
 }
 
 void YarnRun::start(std::shared_ptr<const fabric::Fabric> fabric, std::vector<yarn::Yarn> yarns) {
-    stop();
+    end();
     m_problem.clear();
-    m_cancelled = std::make_shared<std::atomic<bool>>(false);
+    m_job = std::make_shared<YarnJob>();
+    m_running = true;
+    m_edits = 0;
+    Task task{.generation = ++m_generation,
+              .fabric = std::move(fabric),
+              .yarns = std::move(yarns),
+              .surroundings = m_surroundings,
+              .tell = {},
+              .fail = {}};
+    task.tell = [this, mailbox = m_mailbox](std::shared_ptr<const YarnShape> shape) {
+        mailbox->post([this, shape = std::move(shape)] { take(shape); });
+    };
+    task.fail = [this, mailbox = m_mailbox, generation = m_generation](const QString& problem) {
+        mailbox->post([this, generation, problem] { fail(generation, problem); });
+    };
+    m_pool.start([job = m_job, task = std::move(task)] { settle(*job, task); });
     emit changed();
-    m_pool.start([this, fabric = std::move(fabric), yarns = std::move(yarns), run = m_cancelled,
-                  mailbox = m_mailbox] {
-        const std::function<bool()> cancelled = [&run] { return run->load(); };
-        const QString problem = settle(fabric, yarns, cancelled, [&](std::shared_ptr<const YarnShape> shape) {
-            mailbox->post([this, run, shape = std::move(shape)] { take(run, shape); });
-        });
-        if (!problem.isEmpty()) {
-            mailbox->post([this, run, problem] { fail(run, problem); });
-        }
-    });
 }
 
-void YarnRun::take(const Flag& run, std::shared_ptr<const YarnShape> shape) {
-    if (run != m_cancelled) {
-        return; // of a run that was ended meanwhile
+void YarnRun::take(std::shared_ptr<const YarnShape> shape) {
+    const bool late = shape->generation != m_generation || !m_running;
+    if (late) {
+        return; // of a run that was ended or paused meanwhile
     }
+    m_running = !shape->finished || shape->edits != m_edits;
     m_shape = std::move(shape);
-    if (m_shape->finished) {
-        m_cancelled.reset();
-    }
     emit changed();
 }
 
-void YarnRun::fail(const Flag& run, const QString& problem) {
-    if (run == m_cancelled) {
-        m_cancelled.reset();
+void YarnRun::fail(std::uint64_t generation, const QString& problem) {
+    if (generation == m_generation && m_job) {
+        end();
         m_problem = problem;
         emit changed();
     }
 }
 
-void YarnRun::stop() {
-    if (m_cancelled) {
-        m_cancelled->store(true);
-        m_cancelled.reset();
+void YarnRun::end() {
+    if (m_job) {
+        m_job->end();
+        m_job.reset();
+    }
+    m_running = false;
+    m_dragging = false;
+}
+
+void YarnRun::pause() {
+    if (m_running) {
+        m_job->pause(true);
+        m_running = false;
+        emit changed();
+    }
+}
+
+void YarnRun::resume() {
+    if (m_job && !m_running) {
+        m_job->pause(false);
+        m_running = true;
         emit changed();
     }
 }
 
 void YarnRun::clear() {
-    const bool had = m_shape || m_cancelled || !m_problem.isEmpty();
-    if (m_cancelled) {
-        m_cancelled->store(true);
-        m_cancelled.reset();
-    }
+    const bool had = m_shape || m_job || !m_problem.isEmpty();
+    end();
     m_shape.reset();
     m_problem.clear();
     if (had) {
         emit changed();
     }
+}
+
+void YarnRun::edit(Edit change, bool replacesLast) {
+    if (m_job) {
+        m_job->add(std::move(change), replacesLast);
+        ++m_edits;
+        m_running = true;
+        emit changed();
+    }
+}
+
+void YarnRun::setYarn(machine::CarrierIndex carrier, const yarn::Yarn& yarn) {
+    edit([carrier, yarn](Settling& s) { s.setYarn(carrier, yarn); });
+}
+
+void YarnRun::setSurroundings(simulation::Surroundings surroundings) {
+    if (surroundings != m_surroundings) {
+        m_surroundings = surroundings;
+        edit([surroundings](Settling& s) { s.setSurroundings(surroundings); });
+        emit changed();
+    }
+}
+
+void YarnRun::drag(fabric::PointIndex point, const Vec3& place) {
+    m_dragging = m_job != nullptr;
+    edit([point, place](Settling& s) { s.drag(point, place); }, true);
+}
+
+void YarnRun::release() {
+    if (std::exchange(m_dragging, false)) {
+        edit([](Settling& s) { s.release(); });
+    }
+}
+
+void YarnRun::setPinned(fabric::PointIndex point, bool pinned) {
+    edit([point, pinned](Settling& s) { s.setPinned(point, pinned); });
 }
 
 } // namespace knittsim::document

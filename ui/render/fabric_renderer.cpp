@@ -103,6 +103,7 @@ struct FabricRenderer::Implementation {
                        const Detail& detail);
     void setCamera(const ShaderProgram& program, const View& view) const;
     void setYarn(const ShaderProgram& program, const View& view, const YarnLook& look, float radius) const;
+    void setRamp(const ShaderProgram& program) const;
     void drawMarkers(const View& view) const;
 };
 
@@ -325,6 +326,7 @@ void FabricRenderer::Implementation::drawCarrier(const View& view, const Frustum
         program.set("uDotMm", 1.4F * radius);
         program.set("uSoft", std::min(0.5F, perPixel / radius));
     }
+    setRamp(program);
     const auto pieces = static_cast<GLsizei>(counts.size());
     if (detail.sides > 0) {
         glBindVertexArray(tubes.array());
@@ -403,6 +405,16 @@ void FabricRenderer::Implementation::setYarn(const ShaderProgram& program, const
     program.set("uHair", static_cast<float>(l.hairiness));
     program.set("uGloss", static_cast<float>(l.gloss));
     program.set("uMelange", static_cast<float>(l.melange));
+}
+
+/// The colours of values, in the light that the program reckons in.
+void FabricRenderer::Implementation::setRamp(const ShaderProgram& program) const {
+    program.set("uByValue", frame->range.empty() ? 0 : 1);
+    for (std::size_t i = 0; !frame->range.empty() && i < kRampColours; ++i) {
+        const Vec3f colour = shown(ramp()[i]);
+        program.set(fmt::format("uRamp[{}]", i).c_str(),
+                    frame->style == DrawStyle::Yarn ? linear(colour) : colour);
+    }
 }
 
 void FabricRenderer::Implementation::drawMarkers(const View& view) const {

@@ -155,7 +155,8 @@ void FabricScene::layOut(SceneTopology& topology, std::span<const geometry::Yarn
     }
 }
 
-std::shared_ptr<const SceneFrame> FabricScene::prepare(std::span<const float> positions) {
+std::shared_ptr<const SceneFrame> FabricScene::prepare(std::span<const float> positions,
+                                                       std::span<const float> values) {
     const std::span<const float> places =
         positions.empty() ? std::span<const float>(m_machinePositions) : positions;
     const std::shared_ptr<SceneFrame> frame = emptyFrame();
@@ -165,10 +166,14 @@ std::shared_ptr<const SceneFrame> FabricScene::prepare(std::span<const float> po
         m_builder->update(places);
         fillCurves(*frame, m_builder->curves());
     }
+    if (values.size() == m_topology->pointCount) {
+        addValues(*frame, values, true);
+    }
     return frame;
 }
 
-std::shared_ptr<const SceneFrame> FabricScene::prepareCurves(const geometry::YarnCurves& curves) {
+std::shared_ptr<const SceneFrame> FabricScene::prepareCurves(const geometry::YarnCurves& curves,
+                                                             std::span<const float> values) {
     auto topology = std::make_shared<SceneTopology>(*m_topology);
     topology->owner.clear();
     topology->yarns.clear();
@@ -176,7 +181,25 @@ std::shared_ptr<const SceneFrame> FabricScene::prepareCurves(const geometry::Yar
     const std::shared_ptr<SceneFrame> frame = emptyFrame();
     frame->topology = std::move(topology);
     fillCurves(*frame, curves);
+    if (values.size() == curves.nodes.size()) {
+        addValues(*frame, values, false);
+    }
     return frame;
+}
+
+/// `values` by bonding point, or by node of the yarns without what lies between them.
+void FabricScene::addValues(SceneFrame& frame, std::span<const float> values, bool byPoint) {
+    constexpr std::uint32_t kDirection = (1U << 22) - 1;
+    frame.range = rangeOf(values);
+    std::size_t next = 0;
+    for (const geometry::YarnCurves::Range& yarn : frame.topology->yarns) {
+        const auto first = static_cast<std::size_t>(yarn.first);
+        for (std::size_t n = first; n < first + static_cast<std::size_t>(yarn.count); ++n, ++next) {
+            const float value = values[byPoint ? frame.topology->owner[n] : next];
+            std::uint32_t& packed = frame.surface[n][1];
+            packed = (packed & kDirection) | quantise(frame.range.shareOf(value), 0, 1, 1023) << 22;
+        }
+    }
 }
 
 std::shared_ptr<SceneFrame> FabricScene::emptyFrame() const {

@@ -2,6 +2,7 @@
 
 #include "core/geometry/bounds.h"
 #include "core/geometry/yarn_curve_builder.h"
+#include "ui/render/colour_scale.h"
 #include "ui/render/look.h"
 
 #include <array>
@@ -53,13 +54,14 @@ struct SceneFrame {
     std::shared_ptr<const SceneTopology> topology;
     std::vector<std::array<float, 4>> nodes; ///< x y z mm, arc length mm
     /// By node: a direction across the yarn (2 x 11 bits) with the height over the fabric (10 bits), and the
-    /// fabric's normal (2 x 11 bits).
+    /// fabric's normal (2 x 11 bits) with the share of the value in `range` (10 bits).
     std::vector<std::array<std::uint32_t, 2>> surface;
     std::vector<Chunk> chunks;
     std::vector<Marker> markers; ///< Mesh only
     float segmentMm = 0;         ///< mean distance of neighbouring nodes
     geometry::Bounds bounds;     ///< of the yarn
     DrawStyle style = DrawStyle::Yarn;
+    ValueRange range;             ///< of the values that the colours tell; empty: the yarns' own colours
     std::vector<float> diameters; ///< by carrier, mm, as the curves were made for
 };
 
@@ -75,11 +77,15 @@ public:
     FabricScene(std::shared_ptr<const fabric::Fabric> fabric, std::span<const YarnLook> looks,
                 DrawStyle style);
 
-    /// `positions`: 3 per entry, mm; empty: where the machine leaves them.
-    std::shared_ptr<const SceneFrame> prepare(std::span<const float> positions);
+    /// `positions`: 3 per entry, mm; empty: where the machine leaves them. `values` by bonding point, for the
+    /// yarn from there to the next one, are told by colours; of another number they are ignored.
+    std::shared_ptr<const SceneFrame> prepare(std::span<const float> positions,
+                                              std::span<const float> values = {});
 
-    /// Curves that somebody else has made of this fabric, with normal and height; not for Mesh.
-    std::shared_ptr<const SceneFrame> prepareCurves(const geometry::YarnCurves& curves);
+    /// Curves that somebody else has made of this fabric, with normal and height; not for Mesh. `values`
+    /// likewise, by node.
+    std::shared_ptr<const SceneFrame> prepareCurves(const geometry::YarnCurves& curves,
+                                                    std::span<const float> values = {});
 
     /// Looks once more at who lies in front at every crossing and mends what is wrong; to be called between
     /// frames, while there is time. Returns whether the next frame will differ. Does nothing for Mesh, for
@@ -95,6 +101,7 @@ private:
     std::shared_ptr<SceneFrame> emptyFrame() const;
     void fillCurves(SceneFrame& frame, const geometry::YarnCurves& curves) const;
     void addChunks(SceneFrame& frame) const;
+    static void addValues(SceneFrame& frame, std::span<const float> values, bool byPoint);
     void fillMesh(SceneFrame& frame, std::span<const float> positions) const;
     void addMarkers(SceneFrame& frame, std::span<const float> positions) const;
 

@@ -96,8 +96,8 @@ Result<Image> renderFabric(const RenderRequest& request) {
     FabricScene scene(fabric, request.looks, request.style, samplesOf(request));
     while (request.curves == nullptr && scene.improve()) {
     }
-    const auto frame =
-        request.curves != nullptr ? scene.prepareCurves(*request.curves) : scene.prepare(request.positions);
+    const auto frame = request.curves != nullptr ? scene.prepareCurves(*request.curves, request.values)
+                                                 : scene.prepare(request.positions, request.values);
     if (!renderer.value()->upload(frame)) {
         return Diagnostic{.id = "KS0404",
                           .place = {},

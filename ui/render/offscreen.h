@@ -19,7 +19,8 @@ struct RenderRequest {
     std::span<const float> positions; ///< 3 per entry, mm; empty: where the machine leaves them
     /// Curves with normal and height instead of positions; not for Mesh.
     const geometry::YarnCurves* curves = nullptr;
-    std::vector<YarnLook> looks; ///< by carrier; missing ones get a default look
+    std::span<const float> values; ///< told by colours: by node of `curves`, else by bonding point
+    std::vector<YarnLook> looks;   ///< by carrier; missing ones get a default look
     DrawStyle style = DrawStyle::Yarn;
     ViewSide side = ViewSide::Front;
     std::optional<CameraState> camera; ///< instead of `side` and fitting the whole fabric

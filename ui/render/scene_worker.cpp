@@ -59,7 +59,7 @@ void SceneWorker::deliver(const Job& job) {
 
 /// As long as nothing waits. Returns whether the picture differs and nothing waits.
 bool SceneWorker::improve(const Job& job) {
-    if (job.curves) {
+    if (job.yarn) {
         return false;
     }
     const auto idle = [this] {
@@ -85,12 +85,19 @@ std::shared_ptr<const SceneFrame> SceneWorker::prepare(const Job& job) {
         m_sceneStyle = job.style;
         m_sceneDiameters = std::move(diameters);
     }
-    if (job.curves && job.style != DrawStyle::Mesh) {
-        return m_scene->prepareCurves(*job.curves);
+    using Values = std::span<const float>;
+    if (job.yarn && job.style != DrawStyle::Mesh) {
+        const simulation::YarnPicture& yarn = *job.yarn;
+        return m_scene->prepareCurves(yarn.curves, job.colourBy == ColourBy::Tension   ? Values(yarn.tension)
+                                                   : job.colourBy == ColourBy::Contact ? Values(yarn.contact)
+                                                                                       : Values());
     }
     const std::size_t expected = 3 * static_cast<std::size_t>(job.fabric->entryCount);
-    const bool fits = job.shape && job.shape->positions.size() == expected;
-    return m_scene->prepare(fits ? std::span<const float>(job.shape->positions) : std::span<const float>());
+    if (!job.shape || job.shape->positions.size() != expected) {
+        return m_scene->prepare({});
+    }
+    return m_scene->prepare(job.shape->positions,
+                            job.colourBy == ColourBy::Tension ? Values(job.shape->tension) : Values());
 }
 
 } // namespace knittsim::render

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/simulation/frame.h"
+#include "core/simulation/yarn_picture.h"
 #include "ui/render/fabric_scene.h"
 
 #include <condition_variable>
@@ -21,8 +22,9 @@ public:
         std::shared_ptr<const fabric::Fabric> fabric; ///< not null
         std::vector<YarnLook> looks;
         DrawStyle style = DrawStyle::Yarn;
-        std::shared_ptr<const simulation::Frame> shape;       ///< null, or foreign: as the machine leaves it
-        std::shared_ptr<const geometry::YarnCurves> curves{}; ///< if given, instead of `shape`; not for Mesh
+        std::shared_ptr<const simulation::Frame> shape;        ///< null, or foreign: as the machine leaves it
+        std::shared_ptr<const simulation::YarnPicture> yarn{}; ///< if given, instead of `shape`; not for Mesh
+        ColourBy colourBy = ColourBy::Yarn;
     };
     struct Picture {
         std::shared_ptr<const fabric::Fabric> fabric;

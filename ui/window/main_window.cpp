@@ -169,6 +169,7 @@ void MainWindow::connectFabric() {
         m_status->setRenderer(m_fabric->hasOpenGl() ? m_fabric->rendererName() : tr("Qt, flat"));
     });
     connect(&m_document, &Document::yarnRunChanged, this, &MainWindow::takeYarnRun);
+    connect(&m_document, &Document::pinsChanged, this, [this] { m_fabric->setPins(m_document.pins()); });
     connect(&m_document, &Document::yarnsChanged, this,
             [this] { m_fabric->setLooks(looksOf(m_document.carriers())); });
     connect(&m_document, &Document::selectionChanged, this, [this] {
@@ -185,8 +186,8 @@ void MainWindow::connectFabric() {
             [this] { findChild<QAction*>(QStringLiteral("actionHistory"))->setChecked(false); });
     connect(m_fabric, &FabricView::loopHovered, m_status, &StatusLine::setHoveredLoop);
     connect(m_grid, &PatternGrid::loopHovered, m_status, &StatusLine::setHoveredLoop);
-    connect(m_fabric, &FabricView::dragMoved, &m_document, [this](int entry, QVector3D point) {
-        m_document.drag(entry, {point.x(), point.y(), point.z()});
+    connect(m_fabric, &FabricView::dragMoved, &m_document, [this](int point, QVector3D place) {
+        m_document.drag(point, {place.x(), place.y(), place.z()});
     });
     connect(m_fabric, &FabricView::dragEnded, &m_document, &Document::releaseDrag);
     connect(m_fabric, &FabricView::glFailed, this,
@@ -194,9 +195,7 @@ void MainWindow::connectFabric() {
 }
 
 void MainWindow::takeYarnRun() {
-    const auto shape = m_document.yarnRun().shape();
-    const bool shown = shape && shape->fabric == m_document.shownFabric();
-    m_fabric->setCurves(shown ? shape->curves : nullptr);
+    m_fabric->setYarn(m_document.showsYarn() ? m_document.yarnRun().shape()->picture : nullptr);
 }
 
 void MainWindow::openFile(const QString& path) {

@@ -1,6 +1,7 @@
 #include "core/pattern/samples.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/key_dialog.h"
+#include "ui/dialogs/pull_dialog.h"
 #include "ui/views/diagnostics/diagnostics_model.h"
 #include "ui/views/diagnostics/diagnostics_panel.h"
 #include "ui/views/fabric_view/fabric_view.h"
@@ -8,6 +9,7 @@
 #include "ui/views/pattern_editor/pattern_grid.h"
 #include "ui/views/simulation_panel/ladder_text.h"
 #include "ui/views/simulation_panel/simulation_panel.h"
+#include "ui/views/simulation_panel/yarn_run_text.h"
 #include "ui/views/step_player/step_player.h"
 #include "ui/views/style/icons.h"
 #include "ui/views/yarn_library/yarn_panel.h"
@@ -172,6 +174,18 @@ void MainWindow::buildViewMenu() {
     QAction* legend =
         addChoice(menu, nullptr, "actionLegend", tr("Legend of the &mesh"), Qt::ALT | Qt::Key_4, {}, [] {});
     connect(legend, &QAction::toggled, this, [this](bool on) { m_fabric->setLegend(on); });
+    auto* colours = new QActionGroup(this);
+    colours->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+    QAction* tension =
+        addChoice(menu, colours, "actionTension", tr("Yarn &tension as colour"), Qt::Key_T, {}, [] {});
+    QAction* contact = addChoice(menu, colours, "actionContact", tr("Contact force as colour"),
+                                 Qt::SHIFT | Qt::Key_T, {}, [] {});
+    contact->setToolTip(tr("How hard other yarn presses, when settled as yarn (Shift+T)"));
+    connect(colours, &QActionGroup::triggered, this, [this, tension, contact] {
+        m_fabric->setColourBy(tension->isChecked()   ? render::ColourBy::Tension
+                              : contact->isChecked() ? render::ColourBy::Contact
+                                                     : render::ColourBy::Yarn);
+    });
     QAction* history = addChoice(menu, nullptr, "actionHistory", tr("H&istory of the selected bonding point"),
                                  Qt::Key_H, {}, [] {});
     connect(history, &QAction::toggled, this, [this](bool on) { m_history->setSwitchedOn(on); });
@@ -234,9 +248,30 @@ void MainWindow::buildSimulateMenu() {
     menu->addSeparator();
     QAction* yarn = addAction(menu, "actionSettleYarn", tr("Settle as &yarn"), Qt::Key_Y, "style-yarn",
                               [this] { m_document.settleYarn(); });
-    connect(&m_document, &document::Document::yarnRunChanged, yarn, [this, yarn] {
-        yarn->setText(m_document.yarnRun().running() ? tr("Stop the &yarn") : tr("Settle as &yarn"));
-    });
+    connect(&m_document, &document::Document::yarnRunChanged, yarn,
+            [this, yarn] { yarn->setText(settleYarnText(m_document.yarnRun())); });
+    QAction* pull =
+        addAction(menu, "actionPullTest", tr("Pull &test\u2026"), Qt::CTRL | Qt::Key_P, {}, [this] {
+            auto* dialog = new PullDialog(m_document, this);
+            dialog->setAttribute(Qt::WA_DeleteOnClose);
+            dialog->open();
+        });
+    pull->setToolTip(tr("Force against strain of a repeat of the fabric (Ctrl+P)"));
+    QMenu* around = menu->addMenu(tr("S&urroundings of the yarn"));
+    around->setToolTipsVisible(true);
+    auto* surroundings = new QActionGroup(this);
+    for (const simulation::SurroundingsInfo& info : simulation::surroundingsKinds()) {
+        const simulation::Surroundings value = info.value;
+        QAction* action =
+            addChoice(around, surroundings, QStringLiteral("actionSurroundings_%1").arg(info.id),
+                      surroundingsName(info), {}, {}, [this, value] { m_document.setSurroundings(value); });
+        action->setToolTip(surroundingsPurpose(info));
+        const auto take = [this, action, value] {
+            action->setChecked(m_document.yarnRun().surroundings() == value);
+        };
+        connect(&m_document, &document::Document::yarnRunChanged, action, take);
+        take();
+    }
     menu->addSeparator();
     QMenu* integrators = menu->addMenu(tr("&Integrator"));
     integrators->setToolTipsVisible(true);
@@ -261,6 +296,10 @@ void MainWindow::buildSimulateMenu() {
     QAction* drag =
         addChoice(menu, nullptr, "actionDrag", tr("&Pull the yarn with the mouse"), Qt::Key_D, "drag", [] {});
     connect(drag, &QAction::toggled, this, [this](bool on) { m_fabric->setDragMode(on); });
+    addAction(menu, "actionPin", tr("P&in the selected bonding point, or free it"), Qt::Key_P, {},
+              [this] { m_document.togglePin(); });
+    addAction(menu, "actionRemovePins", tr("Re&move all pins"), Qt::SHIFT | Qt::Key_P, {},
+              [this] { m_document.removePins(); });
 }
 
 void MainWindow::buildWindowMenu() {

@@ -70,11 +70,17 @@ double PullResult::work(bool back) const {
 PullResult pullCell(const KnitPurl& pattern, const CellShape& rest, const PullOptions& options) {
     PullResult result;
     Strip strip(rest, options);
-    result.points.push_back(strip.point(false));
+    const auto add = [&](bool back) {
+        result.points.push_back(strip.point(back));
+        if (options.onPoint) {
+            options.onPoint(result.points.back());
+        }
+    };
+    add(false);
     const auto advance = [&](int step, bool back) {
         result.verdict = strip.drawTo(options.strain * step / options.steps);
         if (isAtRest(result.verdict)) {
-            result.points.push_back(strip.point(back));
+            add(back);
         }
         return isAtRest(result.verdict);
     };

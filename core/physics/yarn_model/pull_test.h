@@ -3,9 +3,19 @@
 #include "core/physics/yarn_model/cell_load_term.h"
 #include "core/physics/yarn_model/relax_cell.h"
 
+#include <functional>
 #include <vector>
 
 namespace knittsim::physics {
+
+struct PullPoint {
+    double strain = 0;
+    double stress = 0; ///< force by width at rest across the pull, EI/d^3
+    double width = 0;  ///< of the repeat, d
+    double height = 0;
+    double energy = 0; ///< elastic, of the repeat, EI/d
+    bool back = false;
+};
 
 /// A strip of fabric between two grips, far from both: one side of a repeat is drawn longer in equal steps
 /// and let back, the other one is free.
@@ -15,15 +25,7 @@ struct PullOptions {
     int steps = 20;                                ///< up to it
     bool back = true;                              ///< and in as many steps back, while it still pulls
     YarnRelaxOptions relax;
-};
-
-struct PullPoint {
-    double strain = 0;
-    double stress = 0; ///< force by width at rest across the pull, EI/d^3
-    double width = 0;  ///< of the repeat, d
-    double height = 0;
-    double energy = 0; ///< elastic, of the repeat, EI/d
-    bool back = false;
+    std::function<void(const PullPoint&)> onPoint{}; ///< told at once of every point; may be empty
 };
 
 struct PullResult {

@@ -47,6 +47,13 @@ public:
     /// To be called when a term of the model has changed since the last step.
     void forcesChanged() { m_integrator->forcesChanged(m_model, m_motion); }
 
+    /// Likewise, when what was at rest is to move again.
+    void restart() {
+        forcesChanged();
+        m_rule.restart();
+        m_report.verdict = StopRule::Verdict::GoOn;
+    }
+
     /// Without the audit.
     const YarnRelaxReport& report() const { return m_report; }
     const StepReport& last() const { return m_last; }

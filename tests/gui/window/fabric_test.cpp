@@ -210,7 +210,58 @@ private slots:
         QVERIFY(corner() != with);
     }
 
+    void tensionIsToldByColoursWithALegend() {
+        openSample("plain");
+        auto* fabric = child<FabricView>("fabricView");
+        settle();
+        const auto corner = [&] { return fabric->grab(QRect(0, 0, 260, 130)).toImage(); };
+        QTRY_COMPARE(corner(), corner());
+        const QImage without = corner();
+        press(Qt::Key_T);
+        QCOMPARE(fabric->colourBy(), render::ColourBy::Tension);
+        QVERIFY(corner() != without);
+        press(Qt::Key_T, Qt::ShiftModifier);
+        QCOMPARE(fabric->colourBy(), render::ColourBy::Contact);
+        press(Qt::Key_T, Qt::ShiftModifier);
+        QCOMPARE(fabric->colourBy(), render::ColourBy::Yarn);
+        QTRY_COMPARE(corner(), without);
+    }
+
+    void theSelectedBondingPointIsPinnedAndFreed() {
+        openSample("plain");
+        settle();
+        press(Qt::Key_P);
+        QVERIFY(document().pins().empty()); // nothing is selected
+        clickYarn();
+        press(Qt::Key_P);
+        QCOMPARE(document().pins(), std::vector{document().selectedPoint()});
+        press(Qt::Key_P);
+        QVERIFY(document().pins().empty());
+        press(Qt::Key_P);
+        press(Qt::Key_P, Qt::ShiftModifier);
+        QVERIFY(document().pins().empty());
+    }
+
+    void anotherYarnKeepsTheYarnThatIsShown() {
+        openSample("plain");
+        settle();
+        press(Qt::Key_Y);
+        QTRY_VERIFY_WITH_TIMEOUT(document().yarnRun().shape(), 60000);
+        const auto generation = document().yarnRun().generation();
+        document().assignYarn(carrierInUse(), document().library().yarns().back());
+        QTest::qWait(300);
+        QVERIFY(document().yarnRun().exists());
+        QCOMPARE(document().yarnRun().generation(), generation);
+        QTRY_VERIFY_WITH_TIMEOUT(document().yarnRun().shape()->edits == 1, 60000);
+        press(Qt::Key_R);
+        QCOMPARE(document().yarnRun().generation(), generation + 1);
+        press(Qt::Key_F5); // the net of bonding points goes on
+        QTRY_VERIFY(!document().yarnRun().exists());
+    }
+
 private:
+    int carrierInUse() { return document().shownFabric()->yarns.front().carrier; }
+
     template<class T> T* child(const QString& name) {
         T* found = m_window->findChild<T*>(name);
         if (!found) {

@@ -78,7 +78,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(document().yarnRun().shape(), 60000);
         QTRY_VERIFY(!child<QLabel>("yarnState")->text().isEmpty());
         QTest::mouseClick(child<QToolButton>("settleYarn"), Qt::LeftButton);
-        QCOMPARE(child<QToolButton>("settleYarn")->text(), QString("Settle as yarn"));
+        QCOMPARE(child<QToolButton>("settleYarn")->text(), QString("Go on as yarn"));
         QCOMPARE(child<QLabel>("yarnState")->text(), QString("Stopped"));
     }
 

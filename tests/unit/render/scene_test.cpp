@@ -255,5 +255,30 @@ TEST(SceneWorker, takesShapesOfTheSameSizeOnly) {
     EXPECT_EQ(highest(foreign), onMachine);
 }
 
+TEST(FabricScene, valuesTravelWithTheNodesOfTheirPoints) {
+    const auto fabric = makeFabric();
+    std::vector<float> values;
+    for (std::size_t p = 0; p < fabric->points.size(); ++p) {
+        values.push_back(static_cast<float>(p));
+    }
+    for (const DrawStyle style : {DrawStyle::Yarn, DrawStyle::Mesh}) {
+        FabricScene scene(fabric, {}, style);
+        const auto plain = scene.prepare({});
+        const auto frame = scene.prepare({}, values);
+        EXPECT_TRUE(plain->range.empty());
+        ASSERT_FALSE(frame->range.empty());
+        for (const auto& yarn : frame->topology->yarns) {
+            for (auto n = static_cast<std::size_t>(yarn.first);
+                 n < static_cast<std::size_t>(yarn.first + yarn.count); ++n) {
+                const float told = static_cast<float>(frame->surface[n][1] >> 22) / 1023;
+                const float value = values[frame->topology->owner[n]];
+                EXPECT_NEAR(told, frame->range.shareOf(value), 0.001) << n;
+                EXPECT_EQ(frame->surface[n][1] & 0x3fffffU, plain->surface[n][1] & 0x3fffffU);
+            }
+        }
+        EXPECT_TRUE(scene.prepare({}, std::vector<float>(3, 1.0F))->range.empty()) << "of another fabric";
+    }
+}
+
 } // namespace
 } // namespace knittsim::render

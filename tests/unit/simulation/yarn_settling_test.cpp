@@ -179,7 +179,7 @@ TEST(YarnSettling, OneByOneRibIsNarrowerThanPlain) {
 /// Without a table the sides of plain knit curl to the back.
 TEST(YarnSettling, SidesOfPlainCurlToTheBack) {
     const fabric::Fabric f = build(pattern::makePlain(14, 14));
-    YarnSettling settling(f, {}, {.onTable = false});
+    YarnSettling settling(f, {}, {.surroundings = Surroundings::Free});
     while (settling.step({})) {
     }
     const double middle = waleHeight(f, settling, 7);
@@ -191,7 +191,7 @@ TEST(YarnSettling, SidesOfPlainCurlToTheBack) {
 /// No two segments come nearer in a step than the guard allows: to 0.4 of their distance.
 TEST(YarnSettling, LetsNoStrandPassThroughAnother) {
     const fabric::Fabric f = build(pattern::makeRib(6, 6));
-    YarnSettling settling(f, {}, {.onTable = false});
+    YarnSettling settling(f, {}, {.surroundings = Surroundings::Free});
     int checked = 0;
     physics::Vector old;
     for (int step = 0; step < 100; ++step) {
@@ -224,6 +224,145 @@ TEST(YarnSettling, LetsNoStrandPassThroughAnother) {
         }
     }
     EXPECT_GT(checked, 100'000);
+}
+
+/// A small swatch at rest, and what a person may do with it.
+class Handled : public ::testing::Test {
+protected:
+    void settle() {
+        while (m_settling.step({})) {
+        }
+        ASSERT_EQ(m_settling.phase(), YarnSettling::Phase::Done);
+    }
+    Eigen::Vector3d placeOf(fabric::PointIndex point) const {
+        const Entry node = m_settling.yarns().nodeOfPoint[static_cast<std::size_t>(point)];
+        return m_settling.yarns().units.lengthMm * physics::at(m_settling.shape(), node);
+    }
+    fabric::PointIndex middlePoint() const {
+        return static_cast<fabric::PointIndex>(m_fabric.points.size() / 2);
+    }
+
+    fabric::Fabric m_fabric = build(pattern::makePlain(8, 8));
+    YarnSettling m_settling{m_fabric, {}, {}};
+};
+
+TEST_F(Handled, ThickerYarnGoesOnFromTheShapeToTheSizeOfItsOwnFabric) {
+    settle();
+    const physics::Vector shape = m_settling.shape();
+    yarn::Yarn thick;
+    thick.outerDiameterMm *= 1.3;
+    thick.coreDiameterMm *= 1.3;
+    for (machine::CarrierIndex c = 0; c < m_settling.yarns().chains.yarns.size(); ++c) {
+        m_settling.setYarn(c, thick);
+    }
+    EXPECT_EQ(m_settling.shape(), shape);
+    EXPECT_EQ(m_settling.phase(), YarnSettling::Phase::Settling);
+    settle();
+    EXPECT_EQ(m_settling.audit().coreOverlaps, 0);
+    const std::vector<yarn::Yarn> thickOnes(10, thick);
+    YarnSettling fresh(m_fabric, thickOnes, {});
+    while (fresh.step({})) {
+    }
+    const geometry::Measurement own = measureInner(m_fabric, fresh);
+    const geometry::Measurement swapped = measureInner(m_fabric, m_settling);
+    EXPECT_NEAR(swapped.waleSpacingMm / own.waleSpacingMm, 1, 0.05);
+    EXPECT_NEAR(swapped.courseSpacingMm / own.courseSpacingMm, 1, 0.05);
+    EXPECT_NEAR(m_settling.yarns().chains.yarns.back().outerDiameter, 1.3, 1e-12);
+}
+
+TEST_F(Handled, AnotherYarnWhileYarnsGrowIsTheOneThatGrows) {
+    yarn::Yarn thin;
+    thin.outerDiameterMm *= 0.8;
+    thin.coreDiameterMm *= 0.8;
+    m_settling.step({});
+    for (machine::CarrierIndex c = 0; c < m_settling.yarns().chains.yarns.size(); ++c) {
+        m_settling.setYarn(c, thin);
+    }
+    settle();
+    EXPECT_NEAR(m_settling.yarns().chains.yarns.back().outerDiameter, 0.8, 1e-12);
+    EXPECT_EQ(m_settling.audit().coreOverlaps, 0);
+}
+
+TEST_F(Handled, CarriersWithoutYarnAreIgnored) {
+    settle();
+    m_settling.setYarn(200, yarn::Yarn());
+    EXPECT_EQ(m_settling.phase(), YarnSettling::Phase::Done);
+}
+
+TEST_F(Handled, APullMovesYarnTowardsItsTargetAndPinsHold) {
+    settle();
+    const fabric::PointIndex pulled = middlePoint();
+    const fabric::PointIndex pinned = 1;
+    const Eigen::Vector3d before = placeOf(pulled);
+    const Eigen::Vector3d held = placeOf(pinned);
+    const Eigen::Vector3d target = before + Eigen::Vector3d(0, 0, 3);
+    m_settling.setPinned(pinned, true);
+    m_settling.drag(pulled, target);
+    settle();
+    EXPECT_LT((placeOf(pulled) - target).norm(), 0.8 * (before - target).norm());
+    EXPECT_LT((placeOf(pinned) - held).norm(), 1e-12);
+    EXPECT_EQ(m_settling.audit().coreOverlaps, 0);
+    const double stretched = (placeOf(pulled) - target).norm();
+    m_settling.release();
+    settle();
+    EXPECT_GT((placeOf(pulled) - target).norm(), stretched);
+    m_settling.setPinned(pinned, false);
+    settle();
+    EXPECT_GT((placeOf(pinned) - held).norm(), 0);
+}
+
+TEST_F(Handled, HangingYarnOfMoreWeightHangsLonger) {
+    const auto length = [&] {
+        const FabricYarns& yarns = m_settling.yarns();
+        double low = 1e9;
+        for (Entry e = 0; e < yarns.chains.nodeCount(); ++e) {
+            low = std::min(low, physics::at(m_settling.shape(), e).y());
+        }
+        return physics::at(m_settling.shape(), topNodes(m_fabric, yarns).front()).y() - low;
+    };
+    m_settling.setSurroundings(Surroundings::Hanging);
+    settle();
+    const physics::Vector shape = m_settling.shape();
+    const double light = length();
+    yarn::Yarn heavy;
+    heavy.tex *= 3000;
+    for (machine::CarrierIndex c = 0; c < m_settling.yarns().chains.yarns.size(); ++c) {
+        m_settling.setYarn(c, heavy);
+    }
+    settle();
+    EXPECT_GT(length(), 1.1 * light);
+    for (const Entry e : topNodes(m_fabric, m_settling.yarns())) {
+        EXPECT_EQ(physics::at(m_settling.shape(), e), physics::at(shape, e));
+    }
+}
+
+TEST_F(Handled, OnATableNothingSinksInAndPinnedEdgesStay) {
+    settle();
+    m_settling.setSurroundings(Surroundings::Pinned);
+    const physics::Vector before = m_settling.shape();
+    settle();
+    for (const Entry e : edgeNodes(m_fabric, m_settling.yarns())) {
+        EXPECT_EQ(physics::at(m_settling.shape(), e), physics::at(before, e));
+    }
+    const auto lowest = [&] {
+        double low = 1e9;
+        for (Entry e = 0; e < m_settling.yarns().chains.nodeCount(); ++e) {
+            low = std::min(low, physics::at(m_settling.shape(), e).z());
+        }
+        return low;
+    };
+    const double floor = lowest();
+    m_settling.setSurroundings(Surroundings::Table);
+    settle();
+    EXPECT_GT(lowest(), floor - 0.1); // d
+    EXPECT_EQ(m_settling.audit().coreOverlaps, 0);
+}
+
+TEST(Surroundings, AreListedInTheOrderOfTheirValues) {
+    const auto kinds = surroundingsKinds();
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        EXPECT_EQ(static_cast<std::size_t>(kinds[i].value), i);
+    }
 }
 
 TEST(YarnSettling, StopsWhenItIsAskedTo) {

@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace knittsim::ui {
@@ -19,9 +20,12 @@ struct CanvasContent {
     std::shared_ptr<const render::SceneFrame> scene;
     std::vector<render::YarnLook> looks;
     render::Camera camera;
-    int selected = -1;         ///< loop
-    int hovered = -1;          ///< loop
-    std::optional<Vec3f> mark; ///< place of the selected bonding point
+    int selected = -1;                           ///< loop
+    int hovered = -1;                            ///< loop
+    std::optional<Vec3f> mark;                   ///< place of the selected bonding point
+    std::vector<Vec3f> pins;                     ///< places that are held
+    std::optional<std::pair<Vec3f, Vec3f>> pull; ///< where a person pulls yarn, and where to
+    render::ColourBy colourBy = render::ColourBy::Yarn;
     bool dark = false;
     bool legend = true; ///< explain the bare mesh
     double paintMs = 0; ///< told back by the canvas

@@ -45,7 +45,8 @@ struct FabricView::Implementation {
     std::shared_ptr<const fabric::Fabric> fabric;      ///< wanted
     std::shared_ptr<const fabric::Fabric> shownFabric; ///< of content.scene
     std::shared_ptr<const simulation::Frame> frame;
-    std::shared_ptr<const geometry::YarnCurves> curves; ///< see setCurves()
+    std::shared_ptr<const simulation::YarnPicture> yarn; ///< see setYarn()
+    std::vector<int> pins;                               ///< bonding points of `fabric`
     render::DrawStyle style = render::DrawStyle::Yarn;
     std::unique_ptr<Canvas> canvas;
     Overlay* overlay = nullptr;
@@ -61,6 +62,7 @@ struct FabricView::Implementation {
     QPointF pressed;
     QPointF last;
     geometry::Pick pulled;
+    std::optional<Vec3f> pullTarget; ///< once the mouse has moved
 
     void makeCanvas();
     void useFlatCanvas(const QString& reason);
@@ -72,7 +74,7 @@ struct FabricView::Implementation {
     void look(render::ViewSide side);
     std::optional<geometry::Pick> pickAt(QPointF where) const;
     void hover(int loop);
-    void placeMark();
+    void placeMarks();
     void pullTo(QPointF where);
     Vec3f placeOf(fabric::EntryIndex entry) const;
     QString describe(int loop) const;
@@ -138,7 +140,7 @@ void FabricView::Implementation::placeChildren() {
 
 void FabricView::Implementation::request() {
     if (fabric) {
-        worker.post({fabric, content.looks, style, frame, curves});
+        worker.post({fabric, content.looks, style, frame, yarn, content.colourBy});
     }
 }
 
@@ -151,7 +153,7 @@ void FabricView::Implementation::takePicture() {
     content.scene = std::move(picture->scene);
     shownFabric = std::move(picture->fabric);
     content.camera.setScene(content.scene->bounds);
-    placeMark();
+    placeMarks();
     if ((fitPending || (following && followFit)) && !content.scene->bounds.empty()) {
         fitPending = false;
         content.camera.fit(content.scene->bounds);
@@ -199,18 +201,31 @@ void FabricView::Implementation::hover(int loop) {
 
 Vec3f FabricView::Implementation::placeOf(fabric::EntryIndex entry) const {
     const std::size_t i = 3 * static_cast<std::size_t>(entry);
+    if (yarn && yarn->positions.size() > i + 2) {
+        return {yarn->positions[i], yarn->positions[i + 1], yarn->positions[i + 2]};
+    }
     if (frame && frame->positions.size() == 3 * static_cast<std::size_t>(shownFabric->entryCount)) {
         return {frame->positions[i], frame->positions[i + 1], frame->positions[i + 2]};
     }
     return shownFabric->machinePositions[static_cast<std::size_t>(entry)].cast<float>();
 }
 
-void FabricView::Implementation::placeMark() {
-    const bool known = shownFabric && shownFabric == fabric && selectedPoint >= 0 &&
-                       static_cast<std::size_t>(selectedPoint) < fabric->points.size();
-    content.mark = known
-                       ? std::optional(placeOf(fabric->points[static_cast<std::size_t>(selectedPoint)].entry))
-                       : std::nullopt;
+void FabricView::Implementation::placeMarks() {
+    const bool known = shownFabric && shownFabric == fabric;
+    const auto placeOfPoint = [&](int point) -> std::optional<Vec3f> {
+        const bool there = known && point >= 0 && static_cast<std::size_t>(point) < fabric->points.size();
+        return there ? std::optional(placeOf(fabric->points[static_cast<std::size_t>(point)].entry))
+                     : std::nullopt;
+    };
+    content.mark = placeOfPoint(selectedPoint);
+    content.pins.clear();
+    for (const int point : pins) {
+        if (const auto place = placeOfPoint(point)) {
+            content.pins.push_back(*place);
+        }
+    }
+    const auto held = gesture == Gesture::Pull && pullTarget ? placeOfPoint(pulled.point) : std::nullopt;
+    content.pull = held ? std::optional(std::pair(*held, *pullTarget)) : std::nullopt;
     overlay->update();
 }
 
@@ -219,7 +234,9 @@ void FabricView::Implementation::pullTo(QPointF where) {
     const render::Camera& camera = content.camera;
     const auto ray = camera.rayAt(static_cast<float>(where.x()), static_cast<float>(where.y()));
     if (const auto place = geometry::meetPlane(ray, pulled.place, camera.towardsViewer())) {
-        emit view.dragMoved(pulled.entry, toQt(*place));
+        pullTarget = *place;
+        placeMarks();
+        emit view.dragMoved(pulled.point, toQt(*place));
     }
 }
 
@@ -235,8 +252,9 @@ void FabricView::setFabric(std::shared_ptr<const fabric::Fabric> fabric,
     m->fabric = std::move(fabric);
     m->content.looks = std::move(looks);
     m->frame.reset();
-    m->curves.reset();
+    m->yarn.reset();
     m->selectedPoint = -1; // its number means another point now
+    m->pins.clear();
     m->gesture = Implementation::Gesture::None;
     if (m->fabric) {
         m->request();
@@ -255,16 +273,33 @@ void FabricView::setFrame(std::shared_ptr<const simulation::Frame> frame) {
         m->fabric && frame && frame->positions.size() == 3 * static_cast<std::size_t>(m->fabric->entryCount);
     if (fits) {
         m->frame = std::move(frame);
-        m->curves.reset();
+        m->yarn.reset();
         m->request();
     }
 }
 
-void FabricView::setCurves(std::shared_ptr<const geometry::YarnCurves> curves) {
-    if (m->fabric && curves != m->curves) {
-        m->curves = std::move(curves);
+void FabricView::setYarn(std::shared_ptr<const simulation::YarnPicture> yarn) {
+    if (m->fabric && yarn != m->yarn) {
+        m->yarn = std::move(yarn);
         m->request();
     }
+}
+
+void FabricView::setColourBy(render::ColourBy what) {
+    if (what != m->content.colourBy) {
+        m->content.colourBy = what;
+        m->overlay->update();
+        m->request();
+    }
+}
+
+render::ColourBy FabricView::colourBy() const {
+    return m->content.colourBy;
+}
+
+void FabricView::setPins(std::vector<int> points) {
+    m->pins = std::move(points);
+    m->placeMarks();
 }
 
 void FabricView::setLooks(std::vector<render::YarnLook> looks) {
@@ -302,7 +337,7 @@ int FabricView::selection() const {
 void FabricView::setSelectedPoint(int point) {
     if (point != m->selectedPoint) {
         m->selectedPoint = point;
-        m->placeMark();
+        m->placeMarks();
     }
 }
 
@@ -442,6 +477,7 @@ void FabricView::mousePressEvent(QMouseEvent* event) {
     } else if (const auto pick = pull ? m->pickAt(event->position()) : std::nullopt) {
         m->gesture = Gesture::Pull;
         m->pulled = *pick;
+        m->pullTarget.reset();
         setCursor(Qt::ClosedHandCursor);
     } else {
         m->gesture = Gesture::Press;
@@ -482,6 +518,7 @@ void FabricView::mouseReleaseEvent(QMouseEvent* event) {
     const Gesture gesture = std::exchange(m->gesture, Gesture::None);
     if (gesture == Gesture::Pull) {
         setDragMode(m->dragMode);
+        m->placeMarks();
         emit dragEnded();
     } else if (gesture == Gesture::Press) {
         const auto pick = m->pickAt(event->position());

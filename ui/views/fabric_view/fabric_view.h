@@ -1,8 +1,9 @@
 #pragma once
 
 #include "core/fabric/fabric.h"
-#include "core/geometry/yarn_curve.h"
 #include "core/simulation/frame.h"
+#include "core/simulation/yarn_picture.h"
+#include "ui/render/colour_scale.h"
 #include "ui/render/look.h"
 
 #include <QByteArray>
@@ -37,8 +38,15 @@ public:
     void setFrame(std::shared_ptr<const simulation::Frame> frame);
 
     /// The yarn itself instead of curves through bonding points, until the next frame or fabric; not in the
-    /// mesh style. `curves` are of the present fabric; null ends it.
-    void setCurves(std::shared_ptr<const geometry::YarnCurves> curves);
+    /// mesh style. Of the present fabric; null ends it.
+    void setYarn(std::shared_ptr<const simulation::YarnPicture> yarn);
+
+    /// What the colours of the yarns tell, with a legend.
+    void setColourBy(render::ColourBy what);
+    render::ColourBy colourBy() const;
+
+    /// Marks bonding points (indices into Fabric::points) that are held, until another fabric comes.
+    void setPins(std::vector<int> points);
 
     /// Colours and surfaces by carrier; never touches the shape, except where a diameter changed.
     void setLooks(std::vector<render::YarnLook> looks);
@@ -91,7 +99,7 @@ signals:
     void loopClicked(int loop);   ///< -1: clicked beside the yarn
     void pointClicked(int point); ///< after loopClicked: the bonding point nearest on the yarn, or -1
     void loopHovered(int loop);   ///< -1: left the yarn
-    void dragMoved(int entry, QVector3D pointMm); ///< entry of the bonding point table
+    void dragMoved(int point, QVector3D placeMm); ///< the yarn at a bonding point, to there
     void dragEnded();
     void glFailed(QString reason); ///< once; a sentence for the user
 

@@ -48,6 +48,11 @@ QColor colourOf(const CanvasContent& content, const Piece& piece) {
     if (loop >= 0 && loop == content.selected) {
         return content.dark ? QColor(255, 178, 41) : QColor(237, 107, 5);
     }
+    if (!scene.range.empty()) {
+        const auto value = static_cast<float>(scene.surface[piece.first + piece.count / 2][1] >> 22);
+        const yarn::Colour told = render::rampColour(value / 1023);
+        return {told.r, told.g, told.b};
+    }
     const yarn::Colour colour =
         piece.carrier < content.looks.size() ? content.looks[piece.carrier].colour : yarn::Colour();
     return {colour.r, colour.g, colour.b};

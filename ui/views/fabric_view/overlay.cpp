@@ -61,10 +61,17 @@ void Overlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_content.scene) {
+        paintPins(painter);
         paintMark(painter);
+        paintPull(painter);
         paintBadge(painter);
+        // Below the badge, which may be missing; so the legends do not jump when the fabric is turned.
+        int top = kMargin + fontMetrics().height() + 16;
         if (m_content.legend && m_content.scene->style == render::DrawStyle::Mesh) {
-            paintLegend(painter);
+            top = paintLegend(painter, top);
+        }
+        if (m_content.colourBy != render::ColourBy::Yarn) {
+            paintColours(painter, top);
         }
         paintScale(painter);
         paintAxes(painter);
@@ -86,7 +93,8 @@ void Overlay::paintBadge(QPainter& painter) const {
     painter.drawText(box, Qt::AlignCenter, text);
 }
 
-void Overlay::paintLegend(QPainter& painter) const {
+/// Returns where there is room below it.
+int Overlay::paintLegend(QPainter& painter, int top) const {
     struct Row {
         render::Marker::Kind kind;
         QString text;
@@ -100,9 +108,7 @@ void Overlay::paintLegend(QPainter& painter) const {
     for (const Row& row : rows) {
         width = std::max(width, fontMetrics().horizontalAdvance(row.text));
     }
-    // Below the badge, which may be missing; so the legend does not jump when the fabric is turned.
-    const QRect box(kMargin, kMargin + fontMetrics().height() + 16, kSymbol + width + 16,
-                    static_cast<int>(rows.size()) * height + 10);
+    const QRect box(kMargin, top, kSymbol + width + 16, static_cast<int>(rows.size()) * height + 10);
     painter.setPen(Qt::NoPen);
     painter.setBrush(ground());
     painter.drawRoundedRect(box, 8, 8);
@@ -118,6 +124,96 @@ void Overlay::paintLegend(QPainter& painter) const {
                          row.text);
         centre.ry() += height;
     }
+    return box.bottom() + 9;
+}
+
+/// The colours of values from low to high, with round numbers below them.
+void Overlay::paintColours(QPainter& painter, int top) const {
+    constexpr int kBarWidth = 176;
+    constexpr int kBarHeight = 12;
+    const render::ValueRange& range = m_content.scene->range;
+    const QString what = m_content.colourBy == render::ColourBy::Tension ? tr("Yarn tension (mN)")
+                                                                         : tr("Contact force (mN/mm)");
+    const QString none = tr("Not known for this shape yet");
+    const int line = fontMetrics().height();
+    const int inner = std::max({kBarWidth, fontMetrics().horizontalAdvance(what),
+                                range.empty() ? fontMetrics().horizontalAdvance(none) : 0});
+    const QRect box(kMargin, top, inner + 40, range.empty() ? 2 * line + 12 : 2 * line + kBarHeight + 22);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ground());
+    painter.drawRoundedRect(box, 8, 8);
+    painter.setPen(ink());
+    const int left = box.left() + 20;
+    painter.drawText(left, box.top() + 5 + fontMetrics().ascent(), what);
+    if (range.empty()) {
+        painter.drawText(left, box.top() + 5 + line + fontMetrics().ascent(), none);
+        return;
+    }
+    const QRect bar(left, box.top() + 9 + line, kBarWidth, kBarHeight);
+    QLinearGradient colours(bar.topLeft(), bar.topRight());
+    for (std::size_t i = 0; i < render::kRampColours; ++i) {
+        const yarn::Colour& c = render::ramp()[i];
+        colours.setColorAt(static_cast<double>(i) / (render::kRampColours - 1), QColor(c.r, c.g, c.b));
+    }
+    painter.fillRect(bar, colours);
+    const auto steps = static_cast<int>(std::lround((range.high - range.low) / range.step));
+    for (int tick = 0; tick <= steps; ++tick) {
+        const float value = range.low + static_cast<float>(tick) * range.step;
+        const int x =
+            bar.left() + static_cast<int>(range.shareOf(value) * static_cast<float>(bar.width() - 1));
+        painter.drawLine(x, bar.bottom() + 1, x, bar.bottom() + 4);
+        painter.drawText(QRect(x - 50, bar.bottom() + 5, 100, line), Qt::AlignHCenter | Qt::AlignTop,
+                         QLocale().toString(value, 'g', 4));
+    }
+}
+
+QPointF Overlay::onScreen(const Vec3f& place) const {
+    const Vec3f p = m_content.camera.project(place);
+    return {p.x(), p.y()};
+}
+
+/// A pin with its head above the place that it holds.
+void Overlay::paintPins(QPainter& painter) const {
+    for (const Vec3f& place : m_content.pins) {
+        const QPointF tip = onScreen(place);
+        const QPointF head = tip + QPointF(0, -15);
+        for (const QPen& pen : {QPen(ground(), 5), QPen(ink(), 2)}) {
+            painter.setPen(pen);
+            painter.drawLine(tip, head);
+        }
+        painter.setPen(QPen(ground(), 1.5));
+        painter.setBrush(m_content.dark ? QColor(255, 178, 41) : QColor(200, 80, 0));
+        painter.drawEllipse(head, 6, 6);
+    }
+}
+
+/// A spring from the yarn to the mouse.
+void Overlay::paintPull(QPainter& painter) const {
+    if (!m_content.pull) {
+        return;
+    }
+    constexpr int kTurns = 9;
+    constexpr double kWide = 5;
+    const QPointF from = onScreen(m_content.pull->first);
+    const QPointF to = onScreen(m_content.pull->second);
+    const QPointF way = to - from;
+    const double length = std::hypot(way.x(), way.y());
+    QPolygonF spring{from};
+    if (length > 4 * kWide) {
+        const QPointF across(-way.y() / length * kWide, way.x() / length * kWide);
+        for (int i = 0; i < kTurns; ++i) {
+            spring << from + (0.15 + 0.7 * (i + 0.5) / kTurns) * way + (i % 2 == 0 ? across : -across);
+        }
+    }
+    spring << to;
+    painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {QPen(ground(), 4.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin),
+                            QPen(ink(), 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin)}) {
+        painter.setPen(pen);
+        painter.drawPolyline(spring);
+    }
+    painter.setBrush(ink());
+    painter.drawEllipse(to, 4, 4);
 }
 
 void Overlay::paintMark(QPainter& painter) const {

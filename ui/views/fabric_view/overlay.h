@@ -6,8 +6,8 @@
 
 namespace knittsim::ui {
 
-/// Badge of the side that is seen, legend of the mesh, scale bar, axes and a ring round the selected bonding
-/// point, painted over the picture. Lets all events through.
+/// Badge of the side that is seen, legends of the mesh and of the colours, scale bar, axes, a ring round the
+/// selected bonding point, pins and a person's pull, painted over the picture. Lets all events through.
 class Overlay : public QWidget {
     Q_OBJECT
 
@@ -25,7 +25,11 @@ protected:
 
 private:
     void paintBadge(QPainter& painter) const;
-    void paintLegend(QPainter& painter) const;
+    int paintLegend(QPainter& painter, int top) const;
+    void paintColours(QPainter& painter, int top) const;
+    void paintPins(QPainter& painter) const;
+    void paintPull(QPainter& painter) const;
+    QPointF onScreen(const Vec3f& place) const;
     void paintMark(QPainter& painter) const;
     void paintScale(QPainter& painter) const;
     void paintAxes(QPainter& painter) const;

@@ -80,6 +80,13 @@ void SimulationPanel::build() {
     m_yarnState = new QLabel(this);
     m_yarnState->setObjectName(QStringLiteral("yarnState"));
     m_yarnState->setWordWrap(true);
+    m_surroundings = new QComboBox(this);
+    m_surroundings->setObjectName(QStringLiteral("surroundingsChoice"));
+    m_surroundings->setAccessibleName(tr("Surroundings of the yarn"));
+    for (const simulation::SurroundingsInfo& info : simulation::surroundingsKinds()) {
+        m_surroundings->addItem(surroundingsName(info));
+        m_surroundings->setItemData(m_surroundings->count() - 1, surroundingsPurpose(info), Qt::ToolTipRole);
+    }
     m_holder = new QCheckBox(tr("Stitch holder"), this);
     m_holder->setObjectName(QStringLiteral("stitchHolder"));
     m_holder->setToolTip(tr("%1 (Ctrl+Shift+L)").arg(stitchHolderHelp()));
@@ -101,13 +108,15 @@ void SimulationPanel::build() {
     ladders->addWidget(m_holder);
     auto* yarn = new QHBoxLayout;
     yarn->addWidget(m_yarn);
-    yarn->addWidget(m_yarnState, 1);
+    yarn->addWidget(m_surroundings);
+    yarn->addStretch(1);
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(8, 8, 8, 8);
     rows->setSpacing(6);
     rows->addLayout(buttons);
     rows->addWidget(m_integrator);
     rows->addLayout(yarn);
+    rows->addWidget(m_yarnState);
     rows->addLayout(ladders);
     rows->addWidget(m_plot, 1);
     rows->addWidget(m_numbers);
@@ -117,6 +126,9 @@ void SimulationPanel::build() {
     connect(m_restart, &QToolButton::clicked, &m_document, &document::Document::restart);
     connect(m_stop, &QToolButton::clicked, &m_document, &document::Document::stop);
     connect(m_yarn, &QToolButton::clicked, &m_document, &document::Document::settleYarn);
+    connect(m_surroundings, &QComboBox::activated, this, [this](int index) {
+        m_document.setSurroundings(simulation::surroundingsKinds()[static_cast<std::size_t>(index)].value);
+    });
     connect(m_ladders, &QToolButton::clicked, &m_document, &document::Document::removeLadders);
     connect(m_holder, &QCheckBox::toggled, &m_document, &document::Document::setStitchHolder);
     connect(m_integrator, &QComboBox::currentIndexChanged, this,
@@ -133,8 +145,8 @@ void SimulationPanel::toggleRunning() {
 
 void SimulationPanel::takeActivity() {
     const bool open = m_document.file() != nullptr;
-    for (QWidget* control :
-         std::initializer_list<QWidget*>{m_run, m_step, m_restart, m_stop, m_yarn, m_ladders, m_holder}) {
+    for (QWidget* control : std::initializer_list<QWidget*>{m_run, m_step, m_restart, m_stop, m_yarn,
+                                                            m_surroundings, m_ladders, m_holder}) {
         control->setEnabled(open);
     }
     const QString run = running() ? tr("Pause") : tr("Start");
@@ -195,12 +207,17 @@ void SimulationPanel::takeLadders() {
 
 void SimulationPanel::takeYarnRun() {
     const document::YarnRun& run = m_document.yarnRun();
-    const QString text = run.running() ? tr("Stop the yarn") : tr("Settle as yarn");
+    const QString text = settleYarnText(run);
     m_yarn->setText(text);
     m_yarn->setAccessibleName(text);
     m_yarn->setToolTip(run.running() ? tr("Keeps the shape that the yarn has reached (Y)")
                                      : tr("%1 (Y)").arg(settleYarnHelp()));
+    const auto surroundings = static_cast<int>(run.surroundings());
+    m_surroundings->setCurrentIndex(surroundings);
+    m_surroundings->setToolTip(tr("What the yarn lies on or hangs from. %1")
+                                   .arg(m_surroundings->itemData(surroundings, Qt::ToolTipRole).toString()));
     m_yarnState->setText(yarnRunText(run));
+    m_yarnState->setVisible(!m_yarnState->text().isEmpty());
     m_yarnState->setToolTip(yarnRunDetails(run));
 }
 

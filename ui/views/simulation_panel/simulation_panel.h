@@ -43,6 +43,7 @@ private:
     QToolButton* m_stop = nullptr;
     QComboBox* m_integrator = nullptr;
     QToolButton* m_yarn = nullptr;
+    QComboBox* m_surroundings = nullptr;
     QLabel* m_yarnState = nullptr;
     QToolButton* m_ladders = nullptr;
     QCheckBox* m_holder = nullptr;

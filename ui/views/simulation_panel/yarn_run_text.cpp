@@ -63,6 +63,19 @@ QString yarnRunDetails(const document::YarnRun& run) {
     return text;
 }
 
+QString settleYarnText(const document::YarnRun& run) {
+    const bool stopped = run.exists() && !run.running() && run.shape() && !run.shape()->finished;
+    return run.running() ? tr("Stop the yarn") : stopped ? tr("Go on as yarn") : tr("Settle as yarn");
+}
+
+QString surroundingsName(const simulation::SurroundingsInfo& info) {
+    return QCoreApplication::translate("surroundings", info.name);
+}
+
+QString surroundingsPurpose(const simulation::SurroundingsInfo& info) {
+    return QCoreApplication::translate("surroundings", info.purpose);
+}
+
 QString settleYarnHelp() {
     return tr(
         "Settle the whole fabric as real yarn, with thickness, bending and friction; some seconds for a "

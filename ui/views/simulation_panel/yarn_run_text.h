@@ -12,6 +12,12 @@ QString yarnRunText(const document::YarnRun& run);
 /// Sizes and audit of a finished run, for a tooltip; else empty.
 QString yarnRunDetails(const document::YarnRun& run);
 
+/// What the button does now, and what it is for.
+QString settleYarnText(const document::YarnRun& run);
 QString settleYarnHelp();
+
+/// English names of the surroundings in the language of the window.
+QString surroundingsName(const simulation::SurroundingsInfo& info);
+QString surroundingsPurpose(const simulation::SurroundingsInfo& info);
 
 } // namespace knittsim::ui

@@ -1,5 +1,6 @@
 #include "core/physics/yarn_model/axis_term.h"
 #include "core/physics/yarn_model/bar_term.h"
+#include "core/physics/yarn_model/floor_term.h"
 #include "core/physics/yarn_model/knot_term.h"
 #include "tests/unit/physics/check_derivatives.h"
 #include "tests/unit/physics/yarn_model/chains_for_tests.h"
@@ -36,6 +37,10 @@ std::vector<Case> cases() {
         {"bar",
          [] {
              return std::make_unique<BarTerm>(std::vector<Entry>{0, 2, 4}, shaken(1), 1.7);
+         }},
+        {"floor",
+         [] {
+             return std::make_unique<FloorTerm>(-0.3, std::vector<double>{0.5, 0.2, 0, 0.8, 0.5}, 1.3);
          }},
         {"knot", [] {
              return std::make_unique<KnotTerm>(std::vector<KnotTerm::Knot>{{0, 3, 0.4, 2}, {1, 2, 0.1, 5}});
@@ -81,6 +86,18 @@ TEST(BarTerm, GoesWhereverItIsCarriedButDoesNotTurn) {
     }
     EXPECT_NEAR(bar.evaluate(carried, nullptr), 0, 1e-12);
     EXPECT_GT(bar.evaluate(turned, nullptr), 0.1);
+}
+
+TEST(FloorTerm, CarriesYarnAtItsSurfaceAndLetsItGoAbove) {
+    const FloorTerm floor(-1, {0.5, 0.5}, 2);
+    Vector x = Vector::Zero(6);
+    at(x, 0).z() = -0.49;
+    at(x, 1).z() = 7;
+    EXPECT_EQ(floor.evaluate(x, nullptr), 0);
+    at(x, 0).z() = -0.6;
+    Vector gradient = Vector::Zero(6);
+    EXPECT_NEAR(floor.evaluate(x, &gradient), 0.5 * 2 * 0.1 * 0.1, 1e-12);
+    EXPECT_NEAR(gradient[2], -0.2, 1e-12);
 }
 
 } // namespace
