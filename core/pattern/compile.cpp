@@ -19,7 +19,7 @@ public:
         : m_chart(chart), m_options(options), m_feeds(chart, options.machine, m_problems),
           m_held(chart.width), m_builder(m_program, options.firstNeedle) {}
 
-    Result<Program> run();
+    Result<Compiled> run();
 
 private:
     void writeHeader();
@@ -40,11 +40,12 @@ private:
     HeldLoops m_held;
     Program m_program;
     ProgramBuilder m_builder;
+    std::vector<machine::OperationIndex> m_courseEnds;
 };
 
-Result<Program> Compiler::run() {
+Result<Compiled> Compiler::run() {
     if (!m_problems.empty()) {
-        return Result<Program>::failure(m_problems);
+        return Result<Compiled>::failure(m_problems);
     }
     writeHeader();
     for (int course = 0; course < m_chart.height(); ++course) {
@@ -58,15 +59,16 @@ Result<Program> Compiler::run() {
         prepareBeds(course);
         knitCourse(course);
         m_feeds.takeOut(course, m_builder);
+        m_courseEnds.push_back(static_cast<machine::OperationIndex>(m_program.operations.size()));
     }
     m_builder.rack(0);
     if (m_options.ending == Ending::Dropped) {
         drop();
     }
     if (!m_problems.empty()) {
-        return Result<Program>::failure(m_problems);
+        return Result<Compiled>::failure(m_problems);
     }
-    return std::move(m_program);
+    return Compiled{std::move(m_program), std::move(m_courseEnds)};
 }
 
 void Compiler::writeHeader() {
@@ -182,12 +184,20 @@ void Compiler::report(const char* id, int course, int wale, std::vector<std::str
 
 } // namespace
 
-Result<Program> compile(const Chart& chart, const CompileOptions& options) {
+Result<Compiled> compileCourses(const Chart& chart, const CompileOptions& options) {
     Diagnostics problems = check(chart);
     if (!problems.empty()) {
-        return Result<Program>::failure(std::move(problems));
+        return Result<Compiled>::failure(std::move(problems));
     }
     return Compiler(chart, options).run();
+}
+
+Result<Program> compile(const Chart& chart, const CompileOptions& options) {
+    Result<Compiled> compiled = compileCourses(chart, options);
+    if (!compiled) {
+        return Result<Program>::failure(compiled.diagnostics());
+    }
+    return std::move(compiled.value().program);
 }
 
 } // namespace knittsim::pattern

@@ -17,10 +17,13 @@ enum class Ending : std::uint8_t {
     Dropped, ///< they fall off: the last course can ladder
 };
 
+/// Needle of wale 0, unless it is said otherwise.
+constexpr int kFirstNeedle = 1;
+
 struct CompileOptions {
     CastOn castOn = CastOn::Alternating;
     Ending ending = Ending::Held;
-    int firstNeedle = 1; ///< needle of wale 0
+    int firstNeedle = kFirstNeedle;
     machine::MachineProfile machine = machine::genericProfile();
 };
 
@@ -35,6 +38,14 @@ struct CompileOptions {
 /// next zone.
 ///
 /// Errors: KS0008 and KS0501 to KS0508, with course and needle.
+/// With the operations done after each course of the chart; the cast-on counts to the first one.
+struct Compiled {
+    machine::Program program;
+    std::vector<machine::OperationIndex> courseEnds;
+};
+Result<Compiled> compileCourses(const Chart& chart, const CompileOptions& options = {});
+
+/// The program alone.
 Result<machine::Program> compile(const Chart& chart, const CompileOptions& options = {});
 
 } // namespace knittsim::pattern

@@ -42,12 +42,14 @@ OperationIndex nextStop(const std::vector<OperationIndex>& stops, OperationIndex
 
 } // namespace
 
-Document::Document(QObject* parent) : QObject(parent), m_library(readLibrary()), m_opener(m_library) {
+Document::Document(QObject* parent)
+    : QObject(parent), m_library(readLibrary()), m_opener(m_library), m_rebuilder(m_library) {
     if (const auto known = simulation::integrators(); !known.empty()) {
         m_integrator = QString::fromUtf8(known.front().id);
     }
     connect(&m_opener, &Opener::stageChanged, this, &Document::openingStage);
     connect(&m_opener, &Opener::finished, this, &Document::take);
+    connect(&m_rebuilder, &Opener::finished, this, &Document::takeRebuilt);
     // Points of another fabric have other numbers.
     connect(this, &Document::fabricShown, this,
             [this] { setPoint(m_point < 0 ? -1 : firstPointOf(m_selection.loop)); });
@@ -84,7 +86,9 @@ void Document::openText(const QString& title, const QString& knitout) {
 void Document::setMachine(const QString& id) {
     m_machine = id;
     emit machineChanged();
-    if (m_file) {
+    if (m_project) {
+        rebuild();
+    } else if (m_file) {
         begin(m_file->request);
     }
 }
@@ -123,6 +127,19 @@ void Document::show(const std::shared_ptr<const OpenedFile>& file) {
                               m_file->request.text == file->request.text &&
                               m_file->timeline->profile().id != file->timeline->profile().id &&
                               m_carriers.size() == file->carriers.size();
+    const std::vector<CarrierYarn> kept = otherMachine ? m_carriers : std::vector<CarrierYarn>();
+    m_rebuilder.cancel();
+    exchangeFile(file);
+    m_project = file->project;
+    m_title = file->request.title;
+    m_path = file->request.path;
+    m_carriers = otherMachine ? kept : file->carriers;
+    m_step = operationCount();
+    m_undo.clear();
+    tellFile(true);
+}
+
+void Document::exchangeFile(const std::shared_ptr<const OpenedFile>& file) {
     // A large file takes a while to free; the window need not wait for it.
     QThreadPool::globalInstance()->start(
         [old = std::move(m_file), prefix = std::move(m_prefix), whole = std::move(m_whole)] {});
@@ -132,20 +149,22 @@ void Document::show(const std::shared_ptr<const OpenedFile>& file) {
     m_prefixes.cancel();
     m_prefix.reset();
     m_prefixFrame.reset();
-    if (!otherMachine) {
-        m_carriers = file->carriers;
-    }
-    m_step = operationCount();
     m_selection = {};
     m_point = -1;
     m_ladders.cancel();
     m_restartAfterLadder = false;
-    m_undo.clear();
     m_whole = file->fabric;
     countLoops();
-    m_bridge.load(file->fabric, yarnsOf(m_carriers));
+}
+
+void Document::tellFile(bool another) {
+    m_bridge.load(m_whole, yarnsOf(m_carriers));
     emit generationChanged();
-    emit opened();
+    emit fileChanged();
+    if (another) {
+        emit chartChanged();
+        emit opened();
+    }
     emit yarnsChanged();
     emit stepChanged();
     emit selectionChanged();
@@ -323,6 +342,9 @@ void Document::setCarrierColour(int carrier, yarn::Colour colour) {
 }
 
 void Document::applyYarn(int carrier, const yarn::Yarn& yarn) {
+    if (static_cast<std::size_t>(carrier) >= m_carriers.size()) {
+        return; // of a machine that had more carriers
+    }
     yarn::Yarn& present = m_carriers[static_cast<std::size_t>(carrier)].yarn;
     const bool body = !machine::sameBody(present, yarn);
     present = yarn;

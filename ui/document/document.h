@@ -2,6 +2,7 @@
 
 #include "core/fabric/history.h"
 #include "core/machine/timeline.h"
+#include "core/pattern/chart_edit.h"
 #include "ui/document/ladder.h"
 #include "ui/document/opener.h"
 #include "ui/document/prefix_builder.h"
@@ -12,6 +13,7 @@
 #include <QObject>
 #include <QUndoStack>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -45,6 +47,8 @@ public:
     /// simulation waits for start().
     void open(const QString& path);
     void openText(const QString& title, const QString& knitout);
+    /// A chart that is not in a file yet.
+    void openProject(const QString& title, std::shared_ptr<const pattern::Project> project);
     void cancelOpening();
     bool isOpening() const { return m_opener.busy(); }
     QString openingTitle() const { return m_openingTitle; }
@@ -68,6 +72,26 @@ public:
     QString chosenMachine() const { return m_machine; }
     /// Opens the present file on another machine, in the background; the yarns stay.
     void setMachine(const QString& id);
+
+    /// What the designer works on; null where there is machine data only.
+    std::shared_ptr<const pattern::Project> project() const { return m_project; }
+    /// Changes the chart, undoable in one step; program and fabric follow in the background, and the newest
+    /// chart wins. Where it cannot be knitted problems() says why and the fabric stays as it was.
+    void editChart(const QString& text, const std::function<void(pattern::Chart&)>& edit);
+    /// Program and fabric are those of the chart, which can be knitted.
+    bool fabricFollowsChart() const;
+    bool isRebuilding() const { return m_rebuilder.busy(); }
+    /// The last loop of a cell; -1 where there is none, or while the fabric does not follow.
+    LoopIndex loopOfCell(pattern::CellPlace place) const;
+    std::optional<pattern::CellPlace> cellOfLoop(LoopIndex loop) const;
+    /// Courses of the chart that are done at step().
+    int knittedCourses() const;
+    /// Of a chart; changes that are not saved.
+    bool isModified() const { return m_project != nullptr && !m_undo.isClean(); }
+    QString title() const { return m_title; } ///< of the open file
+    QString path() const { return m_path; }   ///< empty for what is not in a file
+    /// Writes the project; the undo stack is clean then. Errors: KS0002.
+    Diagnostics save(const QString& path);
 
     /// Operations carried out in what is shown; 0 .. operationCount().
     OperationIndex step() const { return m_step; }
@@ -156,8 +180,12 @@ public:
 signals:
     void openingStarted();
     void openingStage(knittsim::document::OpeningStage stage);
-    void openingEnded(); ///< well, badly or cancelled
-    void opened();       ///< another file is shown now
+    void openingEnded();  ///< well, badly or cancelled
+    void fileChanged();   ///< file() changed: another one, or the program of a chart that was edited
+    void opened();        ///< another file is shown now, told after fileChanged() and chartChanged()
+    void chartChanged();  ///< project()
+    void chartFollowed(); ///< fabricFollowsChart() or isRebuilding()
+    void saved();
     void openFailed();
     void problemsChanged(); ///< problems(), waived() or rulesOff()
     void machineChanged();
@@ -178,10 +206,13 @@ signals:
 private:
     friend class YarnCommand;
     friend class LadderCommand;
+    friend class ChartCommand;
 
     void begin(OpenRequest request);
     void take(const std::shared_ptr<const OpenedFile>& file);
     void show(const std::shared_ptr<const OpenedFile>& file);
+    void exchangeFile(const std::shared_ptr<const OpenedFile>& file);
+    void tellFile(bool another);
     void applyRulesOff();
     void select(const Selection& selection);
     void setPoint(fabric::PointIndex point);
@@ -195,6 +226,12 @@ private:
     bool showsPrefix() const { return m_prefix != nullptr; }
     void updateShownFrame();
 
+    // document_chart.cpp
+    void applyPatch(const pattern::ChartPatch& patch, bool forwards);
+    void rebuild();
+    void takeRebuilt(const std::shared_ptr<const OpenedFile>& file);
+    void update(const std::shared_ptr<const OpenedFile>& file);
+
     // document_ladder.cpp
     void countLoops();
     void takeOut(const std::shared_ptr<Ladder>& ladder);
@@ -207,6 +244,10 @@ private:
 
     std::shared_ptr<const yarn::YarnLibrary> m_library;
     Opener m_opener;
+    Opener m_rebuilder; ///< of a chart that was edited
+    std::shared_ptr<const pattern::Project> m_project;
+    QString m_title;
+    QString m_path;
     QString m_openingTitle;
     std::shared_ptr<const OpenedFile> m_file;
     std::shared_ptr<const OpenedFile> m_failed;

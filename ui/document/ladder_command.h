@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/machine/timeline.h"
 #include "ui/document/ladder.h"
 
 #include <QUndoCommand>
@@ -20,6 +21,7 @@ public:
 private:
     Document& m_document;
     std::shared_ptr<Ladder> m_ladder;
+    std::weak_ptr<const machine::Timeline> m_timeline; ///< of another one nothing is taken out
 };
 
 } // namespace knittsim::document

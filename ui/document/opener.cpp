@@ -4,6 +4,7 @@
 #include "core/fabric/fabric_builder.h"
 #include "core/formats/formats.h"
 #include "core/formats/knitout/reader.h"
+#include "core/formats/knitout/writer.h"
 #include "core/machine/checks/check.h"
 #include "core/machine/profile_library.h"
 #include "ui/document/mailbox.h"
@@ -16,12 +17,6 @@ namespace knittsim::document {
 
 namespace {
 
-Result<machine::Program> readRequest(const OpenRequest& request) {
-    return request.path.isEmpty()
-               ? formats::knitout::parse(request.text.toStdString(), request.title.toStdString())
-               : formats::readProgram(std::filesystem::path(request.path.toStdString()));
-}
-
 /// The text that the source view shows; empty when the file cannot be read or is not text.
 std::shared_ptr<const SourceText> readSource(const OpenRequest& request) {
     if (request.path.isEmpty()) {
@@ -32,6 +27,75 @@ std::shared_ptr<const SourceText> readSource(const OpenRequest& request) {
         return std::make_shared<SourceText>();
     }
     return std::make_shared<SourceText>(QString::fromStdString(bytes.value()));
+}
+
+Result<machine::Program> readRequest(const OpenRequest& request) {
+    return request.path.isEmpty()
+               ? formats::knitout::parse(request.text.toStdString(), request.title.toStdString())
+               : formats::readProgram(std::filesystem::path(request.path.toStdString()));
+}
+
+machine::MachineProfile machineOf(const pattern::Project& project) {
+    Diagnostics ignored; // the file's own choice of a machine reports them
+    const auto machines = machine::ProfileLibrary::read(machine::profileFolders(), ignored);
+    machine::Program named;
+    named.header.machine = project.machine;
+    auto profile = machine::chooseProfile(named, machines);
+    return profile ? std::move(profile).value() : machine::genericProfile();
+}
+
+/// A program without operations, for a chart that cannot be knitted.
+machine::Program emptyProgram(const machine::MachineProfile& machine) {
+    machine::Program program;
+    program.header.machine = machine.id;
+    for (const std::string& name : machine.carriers) {
+        program.header.carriers.push_back(
+            {name, static_cast<int>(program.header.carriers.size()), false, {}});
+    }
+    return program;
+}
+
+/// The program of file.project, as text too.
+Result<machine::Program> knitProject(OpenedFile& file, bool keepChart) {
+    const pattern::Project& project = *file.project;
+    const machine::MachineProfile machine = machineOf(project);
+    auto compiled = pattern::compileCourses(
+        project.chart, {.castOn = project.castOn, .ending = project.ending, .machine = machine});
+    file.diagnostics = compiled.diagnostics();
+    if (!compiled && !keepChart) {
+        return Result<machine::Program>::failure(file.diagnostics);
+    }
+    const std::string text =
+        formats::knitout::write(compiled ? compiled.value().program : emptyProgram(machine));
+    file.source = std::make_shared<SourceText>(QString::fromStdString(text));
+    file.chartCourseEnds = compiled ? compiled.value().courseEnds : std::vector<OperationIndex>();
+    return formats::knitout::parse(text, file.request.title.toStdString());
+}
+
+bool isProject(const QString& path) {
+    return path.endsWith(QString::fromUtf8(pattern::kProjectExtension.data()), Qt::CaseInsensitive);
+}
+
+/// Fills file.source, and file.project where there is a chart.
+Result<machine::Program> readProgramOf(OpenedFile& file, bool keepChart) {
+    const OpenRequest& request = file.request;
+    file.project = request.project;
+    if (!file.project && isProject(request.path)) {
+        auto project = pattern::readProjectFile(std::filesystem::path(request.path.toStdString()));
+        if (!project) {
+            file.source = readSource(request);
+            file.diagnostics = project.diagnostics();
+            return Result<machine::Program>::failure(project.diagnostics());
+        }
+        file.project = std::make_shared<pattern::Project>(std::move(project).value());
+    }
+    if (file.project) {
+        return knitProject(file, keepChart);
+    }
+    file.source = readSource(request);
+    Result<machine::Program> program = readRequest(request);
+    file.diagnostics = program.diagnostics();
+    return program;
 }
 
 std::vector<OperationIndex> endsOfPasses(const machine::Program& program) {
@@ -70,7 +134,7 @@ void nameCourses(const machine::LoopTable& made, const fabric::Fabric& fabric, D
 } // namespace
 
 std::shared_ptr<const OpenedFile> openFile(const OpenRequest& request, const yarn::YarnLibrary& library,
-                                           const std::function<void(OpeningStage)>& stage) {
+                                           const std::function<void(OpeningStage)>& stage, bool keepChart) {
     const auto tell = [&](OpeningStage now) {
         if (stage) {
             stage(now);
@@ -79,9 +143,7 @@ std::shared_ptr<const OpenedFile> openFile(const OpenRequest& request, const yar
     auto file = std::make_shared<OpenedFile>();
     file->request = request;
     tell(OpeningStage::Reading);
-    file->source = readSource(request);
-    Result<machine::Program> program = readRequest(request);
-    file->diagnostics = program.diagnostics();
+    Result<machine::Program> program = readProgramOf(*file, keepChart);
     if (!program) {
         return file;
     }
@@ -131,18 +193,21 @@ Opener::~Opener() {
     m_mailbox->close();
 }
 
-void Opener::open(const OpenRequest& request) {
+void Opener::open(const OpenRequest& request, bool keepChart) {
     const std::uint64_t generation = ++m_generation;
     m_busy = true;
     QThreadPool::globalInstance()->start(
-        [this, generation, request, library = m_library, mailbox = m_mailbox] {
-            const auto file = openFile(request, *library, [&](OpeningStage stage) {
-                mailbox->post([this, generation, stage] {
-                    if (generation == m_generation && m_busy) {
-                        emit stageChanged(stage);
-                    }
-                });
-            });
+        [this, generation, request, keepChart, library = m_library, mailbox = m_mailbox] {
+            const auto file = openFile(
+                request, *library,
+                [&](OpeningStage stage) {
+                    mailbox->post([this, generation, stage] {
+                        if (generation == m_generation && m_busy) {
+                            emit stageChanged(stage);
+                        }
+                    });
+                },
+                keepChart);
             mailbox->post([this, generation, file] {
                 if (generation == m_generation && m_busy) {
                     m_busy = false;

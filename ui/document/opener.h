@@ -5,6 +5,7 @@
 #include "core/machine/carrier_yarns.h"
 #include "core/machine/checks/check.h"
 #include "core/machine/timeline.h"
+#include "core/pattern/project.h"
 #include "core/yarn/yarn_library.h"
 #include "ui/document/source_text.h"
 #include "ui/document/stitch_grid.h"
@@ -20,12 +21,13 @@ namespace knittsim::document {
 class Mailbox;
 using machine::CarrierYarn;
 
-/// What is to be opened: a file, or a text with a title (samples).
+/// What is to be opened: a file, a text with a title, or a chart.
 struct OpenRequest {
-    QString path;         ///< empty for a sample
+    QString path;         ///< empty for what is not in a file yet
     QString title;        ///< as the window shows it
-    QString text;         ///< knitout of a sample; empty for a file
+    QString text;         ///< knitout; empty for a file and for a chart
     QString machine = {}; ///< id of the profile; empty: what the file names
+    std::shared_ptr<const pattern::Project> project = {};
 };
 
 /// All that is made from one file, off the window's thread. Immutable.
@@ -39,8 +41,10 @@ struct OpenedFile {
     std::shared_ptr<const fabric::Fabric> fabric;      ///< null with the timeline
     std::shared_ptr<const StitchGrid> grid;            ///< null with the timeline
     std::vector<CarrierYarn> carriers;
-    std::vector<OperationIndex> passEnds;   ///< operations done after each pass, rising
-    std::vector<OperationIndex> courseEnds; ///< operations done after each course, rising
+    std::shared_ptr<const pattern::Project> project; ///< null where there is machine data only
+    std::vector<OperationIndex> chartCourseEnds;     ///< operations done after each course of the chart
+    std::vector<OperationIndex> passEnds;            ///< operations done after each pass, rising
+    std::vector<OperationIndex> courseEnds;          ///< operations done after each course, rising
 
     bool readable() const { return timeline != nullptr; }
 };
@@ -48,9 +52,11 @@ struct OpenedFile {
 enum class OpeningStage { Reading, Machine, Fabric };
 
 /// The whole way from a file to a fabric. Pure but for reading; any thread. `stage` is told where the work
-/// is.
+/// is. A chart that cannot be knitted makes no fabric; where `keepChart` is set it opens all the same, with
+/// an empty program, so that it can be mended.
 std::shared_ptr<const OpenedFile> openFile(const OpenRequest& request, const yarn::YarnLibrary& library,
-                                           const std::function<void(OpeningStage)>& stage = {});
+                                           const std::function<void(OpeningStage)>& stage = {},
+                                           bool keepChart = true);
 
 /// Runs openFile in the background; a newer request or cancel() makes an older one unheard.
 class Opener : public QObject {
@@ -60,7 +66,7 @@ public:
     explicit Opener(std::shared_ptr<const yarn::YarnLibrary> library, QObject* parent = nullptr);
     ~Opener() override;
 
-    void open(const OpenRequest& request);
+    void open(const OpenRequest& request, bool keepChart = true);
     void cancel();
     bool busy() const { return m_busy; }
 

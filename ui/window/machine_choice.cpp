@@ -21,7 +21,7 @@ MachineChoice::MachineChoice(document::Document& document, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     reload();
     connect(this, &QComboBox::activated, this, &MachineChoice::choose);
-    connect(&m_document, &document::Document::opened, this, &MachineChoice::show);
+    connect(&m_document, &document::Document::fileChanged, this, &MachineChoice::show);
     connect(&m_document, &document::Document::machineChanged, this, &MachineChoice::show);
 }
 

@@ -126,6 +126,9 @@ void MainWindow::buildCentre() {
 void MainWindow::connectDocument() {
     using document::Document;
     connect(&m_document, &Document::opened, this, &MainWindow::takeFile);
+    connect(&m_document, &Document::chartChanged, this, &MainWindow::takeChart);
+    connect(&m_document, &Document::saved, this, &MainWindow::takeTitle);
+    connect(m_document.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::takeTitle);
     connect(&m_document, &Document::openFailed, this, &MainWindow::takeFailure);
     connect(&m_document, &Document::problemsChanged, this, &MainWindow::takeProblems);
     connect(&m_document, &Document::fabricShown, this, &MainWindow::takeFabric);
@@ -199,22 +202,25 @@ void MainWindow::takeYarnRun() {
 }
 
 void MainWindow::openFile(const QString& path) {
-    m_session.setLastFolder(QFileInfo(path).absolutePath());
-    m_document.open(path);
+    whenLeft([this, path] {
+        m_session.setLastFolder(QFileInfo(path).absolutePath());
+        m_document.open(path);
+    });
 }
 
 void MainWindow::openSample(const QString& id) {
     for (const pattern::Sample& sample : pattern::samples()) {
         if (QString::fromStdString(sample.id) == id) {
-            m_document.openText(sampleTitle(sample), QString::fromStdString(pattern::sampleText(sample.id)));
+            const auto project = std::make_shared<const pattern::Project>(
+                pattern::Project{.chart = pattern::sampleChart(sample.id), .machine = {}});
+            whenLeft([this, &sample, project] { m_document.openProject(sampleTitle(sample), project); });
         }
     }
 }
 
 void MainWindow::takeFile() {
     const document::OpenRequest& request = m_document.file()->request;
-    setWindowFilePath(request.path);
-    setWindowTitle(tr("%1 \u2013 KnittSim").arg(request.title));
+    takeTitle();
     if (!request.path.isEmpty()) {
         m_session.addRecentFile(request.path);
         takeRecentFiles();
@@ -315,11 +321,11 @@ void MainWindow::showGallery() {
 }
 
 QString MainWindow::openFilter() {
-    return tr("Machine programs (*.k *.knitout *.dat *.kc *.sin);;All files (*)");
+    return tr("Charts and machine programs (*.knitt *.k *.knitout *.dat *.kc *.sin);;All files (*)");
 }
 
 void MainWindow::chooseFile() {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open a machine program"),
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open a chart or a machine program"),
                                                       m_session.lastFolder(), openFilter());
     if (!path.isEmpty()) {
         openFile(path);
@@ -375,8 +381,11 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    saveSession();
-    QMainWindow::closeEvent(event);
+    event->ignore();
+    whenLeft([this, event] {
+        saveSession();
+        QMainWindow::closeEvent(event);
+    });
 }
 
 } // namespace knittsim::ui

@@ -15,6 +15,7 @@ class QToolButton;
 namespace knittsim::ui {
 
 class Banner;
+class ChartEditor;
 class DiagnosticsPanel;
 class FabricView;
 class Gallery;
@@ -75,6 +76,18 @@ private:
     void exportPicture();
     void setAppearance(document::Appearance appearance);
 
+    // main_window_chart.cpp
+    void buildChartMenu();
+    void takeChart();
+    void takeTitle();
+    void newChart();
+    bool saveChart();
+    bool saveChartAs();
+    bool saveChartTo(const QString& path);
+    void exportMachineData();
+    /// Asks what to do with unsaved changes first; the action happens unless the person stays.
+    void whenLeft(const std::function<void()>& action);
+
     // main_window_actions.cpp
     QAction* addAction(QMenu* menu, const QString& name, const QString& text, const QKeySequence& keys,
                        const QString& iconName, const std::function<void()>& action);
@@ -118,6 +131,8 @@ private:
     HistoryCard* m_history = nullptr;
     StepPlayer* m_player = nullptr;
     PatternGrid* m_grid = nullptr;
+    ChartEditor* m_chart = nullptr;
+    QStackedWidget* m_patterns = nullptr; ///< grid or chart
     SourceView* m_source = nullptr;
     YarnPanel* m_yarns = nullptr;
     SimulationPanel* m_simulation = nullptr;

@@ -2,6 +2,8 @@
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/key_dialog.h"
 #include "ui/dialogs/pull_dialog.h"
+#include "ui/views/chart_editor/chart_canvas.h"
+#include "ui/views/chart_editor/chart_editor.h"
 #include "ui/views/diagnostics/diagnostics_model.h"
 #include "ui/views/diagnostics/diagnostics_panel.h"
 #include "ui/views/fabric_view/fabric_view.h"
@@ -66,6 +68,7 @@ void MainWindow::buildActions() {
     buildFileMenu();
     buildEditMenu();
     buildViewMenu();
+    buildChartMenu();
     buildMachineMenu();
     buildSimulateMenu();
     buildWindowMenu();
@@ -75,6 +78,7 @@ void MainWindow::buildActions() {
 
 void MainWindow::buildFileMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&File"));
+    addAction(menu, "actionNew", tr("&New chart\u2026"), QKeySequence::New, "new", [this] { newChart(); });
     addAction(menu, "actionOpen", tr("&Open\u2026"), QKeySequence::Open, "open", [this] { chooseFile(); });
     m_recentMenu = menu->addMenu(tr("Open &recent"));
     m_recentMenu->setObjectName(QStringLiteral("recentMenu"));
@@ -90,6 +94,12 @@ void MainWindow::buildFileMenu() {
     }
     addAction(menu, "actionGallery", tr("Sample &gallery"), QKeySequence(tr("Ctrl+Shift+O")), {},
               [this] { showGallery(); });
+    menu->addSeparator();
+    addAction(menu, "actionSave", tr("&Save"), QKeySequence::Save, "save", [this] { saveChart(); });
+    addAction(menu, "actionSaveAs", tr("Save &as\u2026"), QKeySequence(tr("Ctrl+Shift+S")), {},
+              [this] { saveChartAs(); });
+    addAction(menu, "actionExportMachine", tr("Export &machine data\u2026"), QKeySequence(tr("Ctrl+Shift+M")),
+              {}, [this] { exportMachineData(); });
     menu->addSeparator();
     addAction(menu, "actionExportPicture", tr("&Export picture\u2026"), QKeySequence(tr("Ctrl+E")), "picture",
               [this] { exportPicture(); });
@@ -162,7 +172,7 @@ void MainWindow::buildViewMenu() {
     addAction(menu, "actionFarther", tr("Zoom o&ut"), QKeySequence::ZoomOut, {},
               [this] { m_fabric->zoomBy(0.8); });
     addAction(menu, "actionFitChart", tr("Fit the &pattern grid"), Qt::CTRL | Qt::SHIFT | Qt::Key_F, {},
-              [this] { m_grid->fitChart(); });
+              [this] { m_document.project() ? m_chart->canvas()->fit() : m_grid->fitChart(); });
     menu->addSeparator();
     auto* styles = new QActionGroup(this);
     addChoice(menu, styles, "actionStyleYarn", tr("Lit &yarn"), Qt::ALT | Qt::Key_1, "style-yarn",
@@ -343,7 +353,9 @@ void MainWindow::buildToolBar() {
         }
         m_toolBar->addSeparator();
     };
-    m_toolBar->addAction(findChild<QAction*>(QStringLiteral("actionOpen")));
+    for (const char* name : {"actionNew", "actionOpen", "actionSave"}) {
+        m_toolBar->addAction(findChild<QAction*>(QString::fromLatin1(name)));
+    }
     auto* samples = new QToolButton(m_toolBar);
     samples->setIcon(icon(QStringLiteral("samples")));
     samples->setToolTip(tr("Samples"));
@@ -400,10 +412,13 @@ void MainWindow::takeActions() {
             action->setEnabled(open);
         }
     }
-    for (const char* name :
-         {"actionExportPicture", "actionFront", "actionBack", "actionLeft", "actionRight", "actionTop",
-          "actionBottom", "actionFit", "actionFitChart", "actionCentre", "actionNearer", "actionFarther"}) {
+    for (const char* name : {"actionExportPicture", "actionExportMachine", "actionFront", "actionBack",
+                             "actionLeft", "actionRight", "actionTop", "actionBottom", "actionFit",
+                             "actionFitChart", "actionCentre", "actionNearer", "actionFarther"}) {
         findChild<QAction*>(QString::fromLatin1(name))->setEnabled(open);
+    }
+    for (const char* name : {"actionSave", "actionSaveAs"}) {
+        findChild<QAction*>(QString::fromLatin1(name))->setEnabled(m_document.project() != nullptr);
     }
     findChild<QAction*>(QStringLiteral("actionExportReport"))->setEnabled(open || m_document.failedFile());
     const bool running = m_document.activity() == document::Activity::Settling;

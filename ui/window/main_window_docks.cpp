@@ -1,3 +1,4 @@
+#include "ui/views/chart_editor/chart_editor.h"
 #include "ui/views/diagnostics/diagnostics_panel.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/history/history_card.h"
@@ -48,7 +49,11 @@ void MainWindow::buildDocks() {
     m_yarns = new YarnPanel(m_document, this);
     m_simulation = new SimulationPanel(m_document, this);
     m_problems = new DiagnosticsPanel(m_document, this);
-    m_gridDock = addDock(QStringLiteral("gridDock"), tr("Pattern"), m_grid, Qt::LeftDockWidgetArea);
+    m_chart = new ChartEditor(m_document, this);
+    m_patterns = new QStackedWidget(this);
+    m_patterns->addWidget(m_grid);
+    m_patterns->addWidget(m_chart);
+    m_gridDock = addDock(QStringLiteral("gridDock"), tr("Pattern"), m_patterns, Qt::LeftDockWidgetArea);
     m_sourceDock = addDock(QStringLiteral("sourceDock"), tr("Source"), m_source, Qt::LeftDockWidgetArea);
     m_yarnDock = addDock(QStringLiteral("yarnDock"), tr("Yarns"), m_yarns, Qt::RightDockWidgetArea);
     m_simulationDock =

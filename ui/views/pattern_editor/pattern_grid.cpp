@@ -39,7 +39,7 @@ PatternGrid::PatternGrid(document::Document& document, QWidget* parent)
     viewport()->setMouseTracking(true);
     horizontalScrollBar()->setSingleStep(24);
     verticalScrollBar()->setSingleStep(24);
-    connect(&m_document, &document::Document::opened, this, &PatternGrid::takeFile);
+    connect(&m_document, &document::Document::fileChanged, this, &PatternGrid::takeFile);
     connect(&m_document, &document::Document::stepChanged, this, &PatternGrid::takeStep);
     connect(&m_document, &document::Document::selectionChanged, this, &PatternGrid::takeSelection);
     connect(&m_document, &document::Document::yarnsChanged, this, &PatternGrid::takeYarns);

@@ -25,7 +25,7 @@ SourceView::SourceView(document::Document& document, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setFrameShape(QFrame::NoFrame);
     setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-    connect(&m_document, &document::Document::opened, this, &SourceView::takeFile);
+    connect(&m_document, &document::Document::fileChanged, this, &SourceView::takeFile);
     connect(&m_document, &document::Document::selectionChanged, this, &SourceView::takeSelection);
     connect(&m_document, &document::Document::stepChanged, this, &SourceView::takeSelection);
     connect(&m_document, &document::Document::problemsChanged, this, [this] {

@@ -45,7 +45,7 @@ StepPlayer::StepPlayer(document::Document& document, QWidget* parent)
     build();
     m_timer.setInterval(kTickMs);
     connect(&m_timer, &QTimer::timeout, this, &StepPlayer::tick);
-    connect(&m_document, &document::Document::opened, this, &StepPlayer::takeFile);
+    connect(&m_document, &document::Document::fileChanged, this, &StepPlayer::takeFile);
     connect(&m_document, &document::Document::stepChanged, this, &StepPlayer::takeStep);
     takeFile();
 }

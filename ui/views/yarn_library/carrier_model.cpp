@@ -7,7 +7,7 @@ namespace knittsim::ui {
 
 CarrierModel::CarrierModel(document::Document& document, QObject* parent)
     : QAbstractListModel(parent), m_document(document) {
-    connect(&m_document, &document::Document::opened, this, &CarrierModel::takeFile);
+    connect(&m_document, &document::Document::fileChanged, this, &CarrierModel::takeFile);
     connect(&m_document, &document::Document::yarnsChanged, this, [this] {
         if (!m_rows.empty()) {
             emit dataChanged(index(0), index(rowCount() - 1));

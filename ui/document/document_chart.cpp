@@ -1,0 +1,138 @@
+// The part of the document that edits and keeps a chart.
+
+#include "core/base/file.h"
+#include "ui/document/chart_command.h"
+#include "ui/document/document.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace knittsim::document {
+
+void Document::openProject(const QString& title, std::shared_ptr<const pattern::Project> project) {
+    begin({.path = {}, .title = title, .text = {}, .project = std::move(project)});
+}
+
+void Document::editChart(const QString& text, const std::function<void(pattern::Chart&)>& edit) {
+    if (!m_project) {
+        return;
+    }
+    pattern::Chart after = m_project->chart;
+    edit(after);
+    if (after != m_project->chart) {
+        m_undo.push(new ChartCommand(*this, text, {m_project->chart, after}));
+    }
+}
+
+void Document::applyPatch(const pattern::ChartPatch& patch, bool forwards) {
+    auto changed = std::make_shared<pattern::Project>(*m_project);
+    forwards ? patch.apply(changed->chart) : patch.revert(changed->chart);
+    m_project = std::move(changed);
+    emit chartChanged();
+    rebuild();
+}
+
+void Document::rebuild() {
+    m_rebuilder.open(
+        {.path = m_path, .title = m_title, .text = {}, .machine = m_machine, .project = m_project}, false);
+    emit chartFollowed();
+}
+
+void Document::takeRebuilt(const std::shared_ptr<const OpenedFile>& file) {
+    if (file->readable()) {
+        update(file);
+    } else {
+        m_failed = file; // the fabric stays as it was before
+        applyRulesOff();
+    }
+    emit chartFollowed();
+    emit problemsChanged();
+}
+
+/// The window goes on: undo, yarns that were given to carriers and the camera stay.
+void Document::update(const std::shared_ptr<const OpenedFile>& file) {
+    const bool atEnd = m_step == operationCount();
+    std::vector<CarrierYarn> carriers = file->carriers;
+    for (std::size_t i = 0; i < std::min(carriers.size(), m_carriers.size()); ++i) {
+        if (carriers[i] == m_file->carriers[i]) {
+            carriers[i] = m_carriers[i];
+        }
+    }
+    exchangeFile(file);
+    m_carriers = std::move(carriers);
+    m_step = atEnd ? operationCount() : std::min(m_step, operationCount());
+    if (!atEnd) {
+        m_prefixes.request(m_file->timeline, m_whole, m_step);
+    }
+    tellFile(false);
+    start();
+}
+
+bool Document::fabricFollowsChart() const {
+    return !m_rebuilder.busy() && m_file && m_file->project == m_project && !m_failed;
+}
+
+namespace {
+
+/// The last loop that these operations made on needles of `wale`, or -1.
+LoopIndex lastLoop(const machine::LoopTable& made, OperationIndex first, OperationIndex end,
+                   std::int32_t needle) {
+    const auto from = std::ranges::lower_bound(made.loops, first, {}, &machine::Loop::operation);
+    const auto to = std::ranges::lower_bound(made.loops, end, {}, &machine::Loop::operation);
+    for (auto loop = to; loop != from;) {
+        --loop;
+        if (loop->needle.index == needle) {
+            return static_cast<LoopIndex>(loop - made.loops.begin());
+        }
+    }
+    return -1;
+}
+
+} // namespace
+
+LoopIndex Document::loopOfCell(pattern::CellPlace place) const {
+    const auto course = static_cast<std::size_t>(std::max(place.course, 0));
+    if (!fabricFollowsChart() || course >= m_file->chartCourseEnds.size()) {
+        return -1;
+    }
+    const std::vector<OperationIndex>& ends = m_file->chartCourseEnds;
+    return lastLoop(m_file->timeline->loops(), course > 0 ? ends[course - 1] : 0, ends[course],
+                    place.wale + pattern::kFirstNeedle);
+}
+
+std::optional<pattern::CellPlace> Document::cellOfLoop(LoopIndex loop) const {
+    const auto& loops = m_file ? m_file->timeline->loops().loops : std::vector<machine::Loop>();
+    if (!fabricFollowsChart() || loop < 0 || static_cast<std::size_t>(loop) >= loops.size()) {
+        return std::nullopt;
+    }
+    const machine::Loop& made = loops[static_cast<std::size_t>(loop)];
+    const auto course = std::ranges::upper_bound(m_file->chartCourseEnds, made.operation);
+    return pattern::CellPlace{made.needle.index - pattern::kFirstNeedle,
+                              static_cast<int>(course - m_file->chartCourseEnds.begin())};
+}
+
+int Document::knittedCourses() const {
+    if (!m_file || !m_project) {
+        return 0;
+    }
+    const auto end = std::ranges::upper_bound(m_file->chartCourseEnds, m_step);
+    return static_cast<int>(end - m_file->chartCourseEnds.begin());
+}
+
+Diagnostics Document::save(const QString& path) {
+    if (!m_project) {
+        return {};
+    }
+    const auto written =
+        writeFileAtomically(std::filesystem::path(path.toStdString()), pattern::writeProject(*m_project));
+    if (written) {
+        m_path = path;
+        m_title = QFileInfo(path).fileName();
+        m_undo.setClean();
+        emit saved();
+    }
+    return written.diagnostics();
+}
+
+} // namespace knittsim::document

@@ -1,0 +1,128 @@
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/views/chart_editor/chart_stroke.h"
+#include "ui/views/pattern_editor/cell_painter.h"
+#include "ui/views/pattern_editor/chart_geometry.h"
+
+#include <QAbstractScrollArea>
+#include <QHash>
+#include <QPixmap>
+
+#include <optional>
+
+namespace knittsim::ui {
+
+/// The chart that is edited. The left button draws with the tool at hand, the right one picks stitch and
+/// yarn, the middle one moves the chart; the wheel scrolls, with Ctrl it zooms at the cursor. Arrow keys move
+/// a cursor (with Shift they select), Return uses the tool there.
+class ChartCanvas : public QAbstractScrollArea {
+    Q_OBJECT
+
+public:
+    explicit ChartCanvas(document::Document& document, QWidget* parent = nullptr);
+
+    ChartTool tool() const { return m_tool; }
+    void setTool(ChartTool tool);
+    const pattern::Brush& brush() const { return m_brush; }
+    void setBrush(const pattern::Brush& brush) { m_brush = brush; }
+    void setModule(const pattern::Module* module) { m_module = module; }
+
+    /// Selected cells; empty when none are.
+    pattern::CellRange selection() const { return m_selection; }
+    void select(pattern::CellRange range);
+    void selectAll();
+    /// Where a part is pasted, and courses and wales are put in.
+    pattern::CellPlace cursor() const { return m_cursor; }
+
+    void cut();
+    void copy() const;
+    void paste();
+    void clearSelected();
+    void mirror(pattern::Mirror how);
+    void rotate();
+    /// The selection again and again over the whole chart.
+    void repeat();
+    void insertCourses();
+    void removeCourses();
+    void insertWales();
+    void removeWales();
+
+    void fit();
+    void zoomIn() { zoomAt(viewport()->rect().center(), +1); }
+    void zoomOut() { zoomAt(viewport()->rect().center(), -1); }
+    const ChartGeometry& geometryOfChart() const { return m_geometry; }
+
+    QSize sizeHint() const override { return {420, 420}; }
+    QSize minimumSizeHint() const override { return {180, 140}; }
+
+signals:
+    void toolChanged();
+    void selectionChanged();
+    void picked(knittsim::pattern::Cell cell);
+    void hovered(const QString& text);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void scrollContentsBy(int dx, int dy) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool event(QEvent* event) override;
+    bool viewportEvent(QEvent* event) override;
+
+private:
+    /// What the left button does while it is held in Select.
+    enum class Drag { None, Select, Move, Tile, Scroll };
+
+    const pattern::Chart& shown() const; ///< with what a stroke or a drag has done so far
+    void takeChart();
+    void layout();
+    void setCellWidth(int width, QPoint fixed);
+    void zoomAt(QPoint position, int direction);
+    std::optional<pattern::CellPlace> placeAt(QPoint position) const;
+    pattern::CellPlace nearestPlace(QPoint position) const;
+    pattern::CellRange target() const; ///< the selection, else the cell under the cursor
+    void beginStroke(pattern::CellPlace at);
+    void endStroke();
+    void beginSelecting(QPoint position);
+    void dragSelection(pattern::CellPlace at);
+    void endSelecting();
+    void moveCursor(int across, int up, bool selecting);
+    QRect handle() const; ///< that repeats the selection when it is dragged
+    QRect rectOf(pattern::CellRange range) const;
+    QString textOf(pattern::CellPlace place) const;
+    QColor colourOf(const pattern::Cell& cell) const;
+
+    // chart_canvas_paint.cpp
+    void paintGrounds(QPainter& painter) const;
+    void paintCells(QPainter& painter);
+    void paintLines(QPainter& painter) const;
+    void paintHeaders(QPainter& painter) const;
+    void paintMarks(QPainter& painter) const;
+    const QPixmap& symbol(pattern::Stitch stitch, const QSize& size, bool darkInk);
+
+    document::Document& m_document;
+    std::shared_ptr<const pattern::Project> m_project;
+    ChartGeometry m_geometry;
+    ChartTool m_tool = ChartTool::Pencil;
+    pattern::Brush m_brush{pattern::Stitch::Purl, std::nullopt};
+    const pattern::Module* m_module = nullptr;
+    std::optional<ChartStroke> m_stroke;
+    std::optional<pattern::Chart> m_moved; ///< the chart while the selection is dragged
+    Drag m_drag = Drag::None;
+    pattern::CellRange m_selection;
+    pattern::CellRange m_rangeAtPress;
+    pattern::CellPlace m_cellAtPress;
+    pattern::CellPlace m_cursor;
+    pattern::CellPlace m_anchor; ///< of a selection by keys
+    QPoint m_pressed;
+    QPoint m_scrollAtPress;
+    bool m_fitted = true;
+    QHash<quint64, QPixmap> m_symbols;
+};
+
+} // namespace knittsim::ui

@@ -1,0 +1,239 @@
+#include "ui/views/chart_editor/palettes.h"
+
+#include "ui/views/chart_editor/stitch_picture.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QWidgetAction>
+
+#include <algorithm>
+
+namespace knittsim::ui {
+
+using pattern::Stitch;
+
+namespace {
+
+constexpr int kSwatch = 22;
+constexpr std::size_t kMostYarns = 8; ///< that a chart made here has; machines have few carriers
+
+QIcon stitchIcon(Stitch stitch, const QWidget& widget) {
+    const double ratio = widget.devicePixelRatioF();
+    QPixmap pixmap(QSize(20, 20) * ratio);
+    pixmap.setDevicePixelRatio(ratio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    paintStitch(painter, {1, 2, 18, 16}, stitch, widget.palette().color(QPalette::ButtonText));
+    painter.end();
+    return pixmap;
+}
+
+QIcon swatch(const QColor& colour, double ratio) {
+    QPixmap pixmap(QSize(kSwatch, kSwatch) * ratio);
+    pixmap.setDevicePixelRatio(ratio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(colour);
+    painter.setPen(QPen(QColor(128, 128, 128), 1));
+    painter.drawRoundedRect(QRectF(2.5, 2.5, kSwatch - 5, kSwatch - 5), 3, 3);
+    painter.end();
+    return pixmap;
+}
+
+QString groupName(pattern::ModuleGroup group) {
+    switch (group) {
+    case pattern::ModuleGroup::Texture:
+        return CataloguePopup::tr("texture");
+    case pattern::ModuleGroup::Cable:
+        return CataloguePopup::tr("cable");
+    case pattern::ModuleGroup::Lace:
+        return CataloguePopup::tr("lace");
+    case pattern::ModuleGroup::TuckAndSlip:
+        return CataloguePopup::tr("tuck and slip");
+    case pattern::ModuleGroup::Shaping:
+        break;
+    }
+    return CataloguePopup::tr("shaping");
+}
+
+} // namespace
+
+StitchPalette::StitchPalette(QWidget* parent) : QWidget(parent), m_buttons(new QButtonGroup(this)) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(1);
+    m_buttons->setExclusive(false);
+    for (const Stitch stitch : {Stitch::Knit, Stitch::Purl, Stitch::Tuck, Stitch::Miss, Stitch::Rest,
+                                Stitch::Empty, Stitch::Both}) {
+        auto* button = new QToolButton(this);
+        button->setObjectName(QStringLiteral("stitch%1").arg(static_cast<int>(stitch)));
+        button->setCheckable(true);
+        button->setAutoRaise(true);
+        button->setIconSize({20, 20});
+        button->setIcon(stitchIcon(stitch, *this));
+        button->setToolTip(stitchName(stitch));
+        button->setAccessibleName(stitchName(stitch));
+        m_buttons->addButton(button, static_cast<int>(stitch));
+        row->addWidget(button);
+        connect(button, &QToolButton::clicked, this, [this, stitch](bool on) {
+            choose(on ? std::optional(stitch) : std::nullopt);
+            emit changed();
+        });
+    }
+    row->addStretch();
+}
+
+void StitchPalette::setBothAllowed(bool allowed) {
+    m_buttons->button(static_cast<int>(Stitch::Both))->setVisible(allowed);
+}
+
+void StitchPalette::choose(std::optional<Stitch> stitch) {
+    for (QAbstractButton* button : m_buttons->buttons()) {
+        button->setChecked(stitch && m_buttons->id(button) == static_cast<int>(*stitch));
+    }
+}
+
+std::optional<Stitch> StitchPalette::chosen() const {
+    for (QAbstractButton* button : m_buttons->buttons()) {
+        if (button->isChecked()) {
+            return static_cast<Stitch>(m_buttons->id(button));
+        }
+    }
+    return std::nullopt;
+}
+
+YarnPalette::YarnPalette(document::Document& document, QWidget* parent)
+    : QWidget(parent), m_document(document), m_row(new QHBoxLayout(this)) {
+    m_row->setContentsMargins(0, 0, 0, 0);
+    m_row->setSpacing(1);
+    connect(&m_document, &document::Document::chartChanged, this, &YarnPalette::take);
+    connect(&m_document, &document::Document::yarnsChanged, this, &YarnPalette::take);
+    take();
+}
+
+void YarnPalette::take() {
+    while (QLayoutItem* item = m_row->takeAt(0)) {
+        if (QWidget* button = item->widget()) {
+            button->hide();
+            button->deleteLater(); // it may be the one that was clicked
+        }
+        delete item;
+    }
+    const auto project = m_document.project();
+    if (!project) {
+        return;
+    }
+    const auto& yarns = project->chart.yarns;
+    for (std::size_t i = 0; i < yarns.size(); ++i) {
+        const auto index = static_cast<std::uint8_t>(i);
+        QColor colour(yarns[i].colour.r, yarns[i].colour.g, yarns[i].colour.b);
+        QString name;
+        for (const document::CarrierYarn& carrier : m_document.carriers()) {
+            if (carrier.carrier == yarns[i].carrier) {
+                colour = QColor(carrier.yarn.colour.r, carrier.yarn.colour.g, carrier.yarn.colour.b);
+                name = QString::fromStdString(carrier.yarn.name);
+            }
+        }
+        auto* button = new QToolButton(this);
+        button->setObjectName(QStringLiteral("yarn%1").arg(i));
+        button->setCheckable(true);
+        button->setAutoRaise(true);
+        button->setChecked(m_chosen == index);
+        button->setIconSize({kSwatch, kSwatch});
+        button->setIcon(swatch(colour, devicePixelRatioF()));
+        button->setToolTip(tr("Yarn of carrier %1: %2").arg(QString::fromStdString(yarns[i].carrier), name));
+        button->setAccessibleName(button->toolTip());
+        m_row->addWidget(button);
+        connect(button, &QToolButton::clicked, this, [this, index](bool on) {
+            choose(on ? std::optional(index) : std::nullopt);
+            emit changed();
+        });
+    }
+    if (yarns.size() < kMostYarns) {
+        auto* add = new QToolButton(this);
+        add->setObjectName(QStringLiteral("addYarn"));
+        add->setText(QStringLiteral("+"));
+        add->setAutoRaise(true);
+        add->setToolTip(tr("Add a yarn on the next carrier"));
+        m_row->addWidget(add);
+        connect(add, &QToolButton::clicked, this, &YarnPalette::addYarn);
+    }
+    m_row->addStretch();
+}
+
+void YarnPalette::choose(std::optional<std::uint8_t> yarn) {
+    m_chosen = yarn;
+    take();
+}
+
+void YarnPalette::addYarn() {
+    static constexpr yarn::Colour kColours[] = {{0xb5, 0x52, 0x33}, {0x24, 0x3b, 0x5e}, {0xd9, 0xa6, 0x2e},
+                                                {0x3f, 0x6b, 0x4f}, {0x6d, 0x35, 0x5a}, {0xe9, 0xdf, 0xc8},
+                                                {0x1f, 0x6f, 0x78}, {0xcb, 0xb3, 0x96}};
+    const auto file = m_document.file();
+    const auto project = m_document.project();
+    const auto& yarns = project->chart.yarns;
+    for (const document::CarrierYarn& carrier : m_document.carriers()) {
+        const bool taken = std::ranges::any_of(
+            yarns, [&](const pattern::ChartYarn& yarn) { return yarn.carrier == carrier.carrier; });
+        if (!taken) {
+            m_chosen = static_cast<std::uint8_t>(yarns.size());
+            const pattern::ChartYarn added{carrier.carrier, kColours[yarns.size() % std::size(kColours)],
+                                           yarns.front().libraryId};
+            m_document.editChart(tr("another yarn"),
+                                 [&](pattern::Chart& chart) { chart.yarns.push_back(added); });
+            emit changed();
+            return;
+        }
+    }
+}
+
+CataloguePopup::CataloguePopup(QWidget* parent) : QMenu(parent), m_list(new QListWidget(this)) {
+    setObjectName(QStringLiteral("catalogue"));
+    m_list->setObjectName(QStringLiteral("catalogueList"));
+    m_list->setAccessibleName(tr("Stitch catalogue"));
+    m_list->setViewMode(QListView::IconMode);
+    m_list->setMovement(QListView::Static);
+    m_list->setResizeMode(QListView::Adjust);
+    m_list->setIconSize({76, 60});
+    m_list->setGridSize({112, 104});
+    m_list->setWordWrap(true);
+    m_list->setUniformItemSizes(true);
+    m_list->setFixedSize(112 * 5 + 24, 104 * 4 + 12);
+    m_list->setFrameShape(QFrame::NoFrame);
+    auto* action = new QWidgetAction(this);
+    action->setDefaultWidget(m_list);
+    addAction(action);
+    const auto take = [this](const QListWidgetItem* item) {
+        close();
+        emit chosen(pattern::findModule(item->data(Qt::UserRole).toString().toStdString()));
+    };
+    connect(m_list, &QListWidget::itemClicked, this, take);
+    connect(m_list, &QListWidget::itemActivated, this, take);
+    connect(this, &QMenu::aboutToShow, this, [this] {
+        fill();
+        m_list->setFocus();
+    });
+}
+
+/// Anew each time: the pictures are in the colours of the appearance.
+void CataloguePopup::fill() {
+    m_list->clear();
+    for (const pattern::Module& module : pattern::catalogue()) {
+        const QString name = QString::fromStdString(module.name);
+        auto* item = new QListWidgetItem(
+            QIcon(pictureOf(module.part, m_list->iconSize(), devicePixelRatioF(), palette())), name, m_list);
+        item->setData(Qt::UserRole, QString::fromStdString(module.id));
+        item->setToolTip(tr("%1 (%2), %3 wales x %4 courses")
+                             .arg(name, groupName(module.group))
+                             .arg(module.part.width)
+                             .arg(module.part.height()));
+    }
+}
+
+} // namespace knittsim::ui

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "core/pattern/catalogue.h"
+#include "ui/document/document.h"
+
+#include <QMenu>
+#include <QWidget>
+
+class QButtonGroup;
+class QHBoxLayout;
+class QListWidget;
+
+namespace knittsim::ui {
+
+/// Stitches that a tool can leave behind. One is chosen, or none: then tools change yarns only.
+class StitchPalette : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit StitchPalette(QWidget* parent = nullptr);
+
+    void setBothAllowed(bool allowed);
+    void choose(std::optional<pattern::Stitch> stitch);
+    std::optional<pattern::Stitch> chosen() const;
+
+signals:
+    void changed();
+
+private:
+    QButtonGroup* m_buttons;
+};
+
+/// The yarns of the chart. One is chosen, or none: then tools change stitches only.
+class YarnPalette : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit YarnPalette(document::Document& document, QWidget* parent = nullptr);
+
+    void choose(std::optional<std::uint8_t> yarn);
+    std::optional<std::uint8_t> chosen() const { return m_chosen; }
+
+signals:
+    void changed();
+
+private:
+    void take();
+    void addYarn();
+
+    document::Document& m_document;
+    QHBoxLayout* m_row;
+    std::optional<std::uint8_t> m_chosen;
+};
+
+/// The catalogue as pictures.
+class CataloguePopup : public QMenu {
+    Q_OBJECT
+
+public:
+    explicit CataloguePopup(QWidget* parent = nullptr);
+
+signals:
+    void chosen(const knittsim::pattern::Module* module);
+
+private:
+    void fill();
+
+    QListWidget* m_list;
+};
+
+} // namespace knittsim::ui

@@ -1,0 +1,149 @@
+// The part of the main window that makes, shows and keeps charts.
+
+#include "core/base/file.h"
+#include "core/formats/formats.h"
+#include "ui/document/message_text.h"
+#include "ui/views/chart_editor/chart_canvas.h"
+#include "ui/views/chart_editor/chart_editor.h"
+#include "ui/views/chart_editor/new_chart_dialog.h"
+#include "ui/views/pattern_editor/pattern_grid.h"
+#include "ui/window/banner.h"
+#include "ui/window/main_window.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+
+namespace knittsim::ui {
+
+namespace {
+
+QString withExtension(const QString& path, const QString& extension) {
+    return QFileInfo(path).suffix().isEmpty() ? path + extension : path;
+}
+
+} // namespace
+
+void MainWindow::buildChartMenu() {
+    QMenu* menu = menuBar()->addMenu(tr("&Pattern"));
+    menu->setObjectName(QStringLiteral("patternMenu"));
+    for (QAction* action : m_chart->toolActions()) {
+        menu->addAction(action);
+    }
+    menu->addSeparator();
+    for (QAction* action : m_chart->editActions()) {
+        menu->addAction(action);
+    }
+}
+
+/// Charts are drawn, machine data is looked at.
+void MainWindow::takeChart() {
+    const bool chart = m_document.project() != nullptr;
+    m_patterns->setCurrentWidget(chart ? static_cast<QWidget*>(m_chart) : m_grid);
+    for (QAction* action : m_chart->toolActions() + m_chart->editActions()) {
+        action->setEnabled(chart);
+    }
+    takeTitle();
+}
+
+void MainWindow::takeTitle() {
+    const auto file = m_document.file();
+    if (!file) {
+        return;
+    }
+    const QString title = m_document.title();
+    setWindowFilePath(m_document.path());
+    setWindowTitle(tr("%1[*] \u2013 KnittSim").arg(title));
+    setWindowModified(m_document.isModified());
+}
+
+void MainWindow::newChart() {
+    auto* dialog = new NewChartDialog(m_document.chosenMachine(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        const auto project = std::make_shared<const pattern::Project>(dialog->project());
+        whenLeft([this, project] { m_document.openProject(tr("New chart"), project); });
+    });
+    dialog->open();
+}
+
+bool MainWindow::saveChart() {
+    const QString path = m_document.path();
+    return path.endsWith(QStringLiteral(".knitt")) ? saveChartTo(path) : saveChartAs();
+}
+
+bool MainWindow::saveChartAs() {
+    if (!m_document.project()) {
+        return false;
+    }
+    const QString start =
+        m_session.lastFolder() + u'/' + QFileInfo(m_document.title()).baseName() + QStringLiteral(".knitt");
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Save the chart"), start, tr("Charts (*.knitt)"));
+    return !path.isEmpty() && saveChartTo(withExtension(path, QStringLiteral(".knitt")));
+}
+
+bool MainWindow::saveChartTo(const QString& path) {
+    const Diagnostics problems = m_document.save(path);
+    if (hasErrors(problems)) {
+        m_banner->showMessage(Banner::Kind::Error,
+                              tr("%1 could not be saved. %2")
+                                  .arg(QFileInfo(path).fileName(), document::causeText(problems.front())));
+        return false;
+    }
+    m_session.setLastFolder(QFileInfo(path).absolutePath());
+    m_session.addRecentFile(path);
+    takeRecentFiles();
+    statusBar()->showMessage(tr("Saved %1").arg(path), 5000);
+    return true;
+}
+
+void MainWindow::exportMachineData() {
+    const auto file = m_document.file();
+    const QString start =
+        m_session.lastFolder() + u'/' + QFileInfo(m_document.title()).baseName() + QStringLiteral(".k");
+    QString path = QFileDialog::getSaveFileName(
+        this, tr("Export machine data"), start,
+        tr("Knitout (*.k *.knitout);;Shima DAT (*.dat);;Kniterate k-code (*.kc)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    path = withExtension(path, QStringLiteral(".k"));
+    const std::filesystem::path target(path.toStdString());
+    const auto bytes = formats::writeProgram(file->timeline->program(), target);
+    Diagnostics problems = bytes.diagnostics();
+    if (bytes) {
+        const auto written = writeFileAtomically(target, bytes.value());
+        problems.insert(problems.end(), written.diagnostics().begin(), written.diagnostics().end());
+    }
+    if (hasErrors(problems)) {
+        m_banner->showMessage(
+            Banner::Kind::Error,
+            tr("The machine data cannot be written. %1").arg(document::causeText(problems.front())));
+        return;
+    }
+    m_session.setLastFolder(QFileInfo(path).absolutePath());
+    statusBar()->showMessage(tr("Machine data written to %1").arg(path), 5000);
+}
+
+void MainWindow::whenLeft(const std::function<void()>& action) {
+    if (!m_document.isModified()) {
+        action();
+        return;
+    }
+    QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
+                         tr("%1 has changes that are not saved.").arg(m_document.title()),
+                         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+    question.setObjectName(QStringLiteral("unsaved"));
+    question.setDefaultButton(QMessageBox::Save);
+    const int answer = question.exec();
+    if (answer == QMessageBox::Discard || (answer == QMessageBox::Save && saveChart())) {
+        action();
+    }
+}
+
+} // namespace knittsim::ui
