@@ -269,7 +269,17 @@ void MainWindow::takeProblems() {
     const auto count = static_cast<std::ptrdiff_t>(found.size()) - notes;
     m_problemDock->setVisible(count > 0); // notes alone do not push themselves forward
     m_problemDock->setWindowTitle(count > 0 ? tr("Problems (%1)").arg(count) : tr("Problems"));
+    takeFlags();
     takeActions();
+}
+
+void MainWindow::takeFlags() {
+    const Accents accents = accentsOf(palette());
+    std::vector<std::pair<int, QColor>> flags;
+    for (const auto& [loop, problem] : m_document.problemMarks()) {
+        flags.emplace_back(loop, problem.severity == Severity::Error ? accents.error : accents.warning);
+    }
+    m_fabric->setFlags(std::move(flags));
 }
 
 void MainWindow::showPlace(const Diagnostic& problem) {
@@ -358,6 +368,7 @@ void MainWindow::setAppearance(document::Appearance appearance) {
 void MainWindow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange && m_fabric) {
         m_fabric->setDark(isDark(palette()));
+        takeFlags();
     }
     QMainWindow::changeEvent(event);
 }

@@ -3,6 +3,7 @@
 #include "ui/render/fabric_renderer.h"
 #include "ui/render/scene_worker.h"
 
+#include <QColor>
 #include <QImage>
 #include <QString>
 #include <QWidget>
@@ -14,6 +15,12 @@
 
 namespace knittsim::ui {
 
+/// A sign at a stitch.
+struct Flag {
+    Vec3f place;
+    QColor colour;
+};
+
 /// What a canvas paints. Window thread.
 struct CanvasContent {
     std::shared_ptr<const render::SceneFrame> scene;
@@ -22,6 +29,7 @@ struct CanvasContent {
     int selected = -1;         ///< loop
     int hovered = -1;          ///< loop
     std::optional<Vec3f> mark; ///< place of the selected bonding point
+    std::vector<Flag> flags;   ///< painted by the overlay
     bool dark = false;
     bool legend = true; ///< explain the bare mesh
     double paintMs = 0; ///< told back by the canvas

@@ -55,7 +55,8 @@ struct FabricView::Implementation {
     bool following = false; ///< see setFollowing()
     bool followFit = true;  ///< the person has not moved the camera since the last fit
     bool dragMode = false;
-    int selectedPoint = -1; ///< of `fabric`
+    int selectedPoint = -1;                    ///< of `fabric`
+    std::vector<std::pair<int, QColor>> flags; ///< by loop
 
     enum class Gesture { None, Press, Orbit, Pan, Pull } gesture = Gesture::None;
     QPointF pressed;
@@ -72,7 +73,7 @@ struct FabricView::Implementation {
     void look(render::ViewSide side);
     std::optional<geometry::Pick> pickAt(QPointF where) const;
     void hover(int loop);
-    void placeMark();
+    void placeMarks();
     void pullTo(QPointF where);
     Vec3f placeOf(fabric::EntryIndex entry) const;
     QString describe(int loop) const;
@@ -151,7 +152,7 @@ void FabricView::Implementation::takePicture() {
     content.scene = std::move(picture->scene);
     shownFabric = std::move(picture->fabric);
     content.camera.setScene(content.scene->bounds);
-    placeMark();
+    placeMarks();
     if ((fitPending || (following && followFit)) && !content.scene->bounds.empty()) {
         fitPending = false;
         content.camera.fit(content.scene->bounds);
@@ -205,12 +206,22 @@ Vec3f FabricView::Implementation::placeOf(fabric::EntryIndex entry) const {
     return shownFabric->machinePositions[static_cast<std::size_t>(entry)].cast<float>();
 }
 
-void FabricView::Implementation::placeMark() {
+void FabricView::Implementation::placeMarks() {
     const bool known = shownFabric && shownFabric == fabric && selectedPoint >= 0 &&
                        static_cast<std::size_t>(selectedPoint) < fabric->points.size();
     content.mark = known
                        ? std::optional(placeOf(fabric->points[static_cast<std::size_t>(selectedPoint)].entry))
                        : std::nullopt;
+    content.flags.clear();
+    for (const auto& [loop, colour] : flags) {
+        const bool there = shownFabric && static_cast<std::size_t>(loop) < shownFabric->loops.size();
+        const fabric::PointIndex head =
+            there ? shownFabric->loops[static_cast<std::size_t>(loop)].headLeft : -1;
+        if (head >= 0) {
+            content.flags.push_back(
+                {placeOf(shownFabric->points[static_cast<std::size_t>(head)].entry), colour});
+        }
+    }
     overlay->update();
 }
 
@@ -302,8 +313,17 @@ int FabricView::selection() const {
 void FabricView::setSelectedPoint(int point) {
     if (point != m->selectedPoint) {
         m->selectedPoint = point;
-        m->placeMark();
+        m->placeMarks();
     }
+}
+
+void FabricView::setFlags(std::vector<std::pair<int, QColor>> flags) {
+    m->flags = std::move(flags);
+    m->placeMarks();
+}
+
+int FabricView::flagCount() const {
+    return static_cast<int>(m->content.flags.size());
 }
 
 void FabricView::centreOn(int loop) {

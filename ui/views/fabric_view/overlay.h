@@ -6,8 +6,8 @@
 
 namespace knittsim::ui {
 
-/// Badge of the side that is seen, legend of the mesh, scale bar, axes and a ring round the selected bonding
-/// point, painted over the picture. Lets all events through.
+/// Badge of the side that is seen, legend of the mesh, scale bar, axes, a ring round the selected bonding
+/// point and signs at stitches, painted over the picture. Lets all events through.
 class Overlay : public QWidget {
     Q_OBJECT
 
@@ -27,6 +27,7 @@ private:
     void paintBadge(QPainter& painter) const;
     void paintLegend(QPainter& painter) const;
     void paintMark(QPainter& painter) const;
+    void paintFlags(QPainter& painter) const;
     void paintScale(QPainter& painter) const;
     void paintAxes(QPainter& painter) const;
     void paintMessage(QPainter& painter) const;
