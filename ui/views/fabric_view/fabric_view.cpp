@@ -214,12 +214,15 @@ void FabricView::Implementation::placeMarks() {
                        : std::nullopt;
     content.flags.clear();
     for (const auto& [loop, colour] : flags) {
-        const bool there = shownFabric && static_cast<std::size_t>(loop) < shownFabric->loops.size();
-        const fabric::PointIndex head =
-            there ? shownFabric->loops[static_cast<std::size_t>(loop)].headLeft : -1;
-        if (head >= 0) {
-            content.flags.push_back(
-                {placeOf(shownFabric->points[static_cast<std::size_t>(head)].entry), colour});
+        if (!shownFabric || static_cast<std::size_t>(loop) >= shownFabric->loops.size()) {
+            continue;
+        }
+        const fabric::Loop& stitch = shownFabric->loops[static_cast<std::size_t>(loop)];
+        if (stitch.headLeft >= 0 && stitch.headRight >= 0) {
+            const auto place = [&](fabric::PointIndex point) {
+                return placeOf(shownFabric->points[static_cast<std::size_t>(point)].entry);
+            };
+            content.flags.push_back({0.5F * (place(stitch.headLeft) + place(stitch.headRight)), colour});
         }
     }
     overlay->update();
