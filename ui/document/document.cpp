@@ -179,6 +179,8 @@ void Document::applyRulesOff() {
     if (file) {
         m_checked.waived.insert(m_checked.waived.end(), file->waived.begin(), file->waived.end());
     }
+    m_marks =
+        m_file && !m_failed ? document::problemMarks(*m_file->timeline, m_checked.findings) : ProblemMarks{};
 }
 
 void Document::setRulesOff(std::vector<machine::Waiver> rules) {

@@ -6,6 +6,7 @@
 #include "ui/document/ladder.h"
 #include "ui/document/opener.h"
 #include "ui/document/prefix_builder.h"
+#include "ui/document/problem_marks.h"
 #include "ui/document/selection.h"
 #include "ui/document/simulation_bridge.h"
 #include "ui/document/yarn_run.h"
@@ -61,6 +62,9 @@ public:
     const Diagnostics& problems() const { return m_checked.findings; }
     /// Those that do not: rules turned off by the machine profile or by the person, with the reason.
     const std::vector<machine::Waived>& waived() const { return m_checked.waived; }
+
+    /// Stitches of file() with a problem that counts; empty where a file could not be read.
+    const ProblemMarks& problemMarks() const { return m_marks; }
 
     /// Rules that the person turned off, for every file.
     const std::vector<machine::Waiver>& rulesOff() const { return m_rulesOff; }
@@ -252,6 +256,7 @@ private:
     std::shared_ptr<const OpenedFile> m_file;
     std::shared_ptr<const OpenedFile> m_failed;
     machine::CheckResult m_checked; ///< of m_failed, else of m_file
+    ProblemMarks m_marks;
     std::vector<machine::Waiver> m_rulesOff;
     QString m_machine;
     std::shared_ptr<const fabric::Fabric> m_whole; ///< of the whole program; less what has run

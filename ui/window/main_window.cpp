@@ -236,7 +236,8 @@ void MainWindow::startSoon() {
     // The eye needs to see the fabric as the machine leaves it, else a small one is at rest before the first
     // picture.
     QTimer::singleShot(kSettleDelayMs, this, [this, file = std::weak_ptr(m_document.file())] {
-        if (file.lock() == m_document.file() && m_document.activity() == document::Activity::Machine) {
+        if (file.lock() == m_document.file() && m_document.activity() == document::Activity::Machine &&
+            !m_document.yarnRun().running()) {
             m_document.start();
         }
     });
@@ -274,7 +275,17 @@ void MainWindow::takeProblems() {
     const auto count = static_cast<std::ptrdiff_t>(found.size()) - notes;
     m_problemDock->setVisible(count > 0); // notes alone do not push themselves forward
     m_problemDock->setWindowTitle(count > 0 ? tr("Problems (%1)").arg(count) : tr("Problems"));
+    takeFlags();
     takeActions();
+}
+
+void MainWindow::takeFlags() {
+    const Accents accents = accentsOf(palette());
+    std::vector<std::pair<int, QColor>> flags;
+    for (const auto& [loop, problem] : m_document.problemMarks()) {
+        flags.emplace_back(loop, problem.severity == Severity::Error ? accents.error : accents.warning);
+    }
+    m_fabric->setFlags(std::move(flags));
 }
 
 void MainWindow::showPlace(const Diagnostic& problem) {
@@ -363,6 +374,7 @@ void MainWindow::setAppearance(document::Appearance appearance) {
 void MainWindow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange && m_fabric) {
         m_fabric->setDark(isDark(palette()));
+        takeFlags();
     }
     QMainWindow::changeEvent(event);
 }

@@ -68,6 +68,7 @@ private:
     void takeFabric();
     void takeYarnRun();
     void takeProblems();
+    void takeFlags();
     void showPlace(const Diagnostic& problem);
     void showLine(int line);
     void showWorkspace();

@@ -6,7 +6,7 @@
 
 #include "ui/document/session.h"
 #include "ui/views/diagnostics/diagnostics_panel.h"
-#include "ui/views/pattern_editor/pattern_grid.h"
+#include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/style/appearance.h"
 #include "ui/window/banner.h"
 #include "ui/window/key_guard.h"
@@ -117,7 +117,8 @@ private slots:
         const int all = list->problemCount();
         const int row = rowOf("KS0233");
         QVERIFY(row >= 0);
-        QVERIFY(child<PatternGrid>("patternGrid")->problemAt(2) != nullptr);
+        QVERIFY(document().problemMarks().contains(2));
+        QTRY_COMPARE(child<FabricView>("fabricView")->flagCount(), 1);
         turn(row);
         QTRY_VERIFY(m_window->findChild<QInputDialog*>("turnOffDialog"));
         auto* dialog = m_window->findChild<QInputDialog*>("turnOffDialog");
@@ -125,7 +126,8 @@ private slots:
         QTest::keyClick(dialog, Qt::Key_Return);
         QTRY_COMPARE(rowOf("KS0233"), -1);
         QCOMPARE(list->problemCount(), all - 1);
-        QVERIFY2(!child<PatternGrid>("patternGrid")->problemAt(2), "a stitch without problem is not marked");
+        QVERIFY2(document().problemMarks().empty(), "a stitch without problem is not marked");
+        QCOMPARE(child<FabricView>("fabricView")->flagCount(), 0);
 
         QTest::mouseClick(child<QToolButton>("showOff"), Qt::LeftButton);
         const int off = rowOf("KS0233");

@@ -3,6 +3,7 @@
 #include "ui/render/fabric_renderer.h"
 #include "ui/render/scene_worker.h"
 
+#include <QColor>
 #include <QImage>
 #include <QString>
 #include <QWidget>
@@ -15,6 +16,12 @@
 
 namespace knittsim::ui {
 
+/// A sign at a stitch.
+struct Flag {
+    Vec3f place;
+    QColor colour;
+};
+
 /// What a canvas paints. Window thread.
 struct CanvasContent {
     std::shared_ptr<const render::SceneFrame> scene;
@@ -25,6 +32,7 @@ struct CanvasContent {
     std::optional<Vec3f> mark;                   ///< place of the selected bonding point
     std::vector<Vec3f> pins;                     ///< places that are held
     std::optional<std::pair<Vec3f, Vec3f>> pull; ///< where a person pulls yarn, and where to
+    std::vector<Flag> flags;                     ///< painted by the overlay
     render::ColourBy colourBy = render::ColourBy::Yarn;
     bool dark = false;
     bool legend = true; ///< explain the bare mesh

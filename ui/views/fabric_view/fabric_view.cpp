@@ -56,7 +56,8 @@ struct FabricView::Implementation {
     bool following = false; ///< see setFollowing()
     bool followFit = true;  ///< the person has not moved the camera since the last fit
     bool dragMode = false;
-    int selectedPoint = -1; ///< of `fabric`
+    int selectedPoint = -1;                    ///< of `fabric`
+    std::vector<std::pair<int, QColor>> flags; ///< by loop
 
     enum class Gesture { None, Press, Orbit, Pan, Pull } gesture = Gesture::None;
     QPointF pressed;
@@ -226,6 +227,19 @@ void FabricView::Implementation::placeMarks() {
     }
     const auto held = gesture == Gesture::Pull && pullTarget ? placeOfPoint(pulled.point) : std::nullopt;
     content.pull = held ? std::optional(std::pair(*held, *pullTarget)) : std::nullopt;
+    content.flags.clear();
+    for (const auto& [loop, colour] : flags) {
+        if (!shownFabric || static_cast<std::size_t>(loop) >= shownFabric->loops.size()) {
+            continue;
+        }
+        const fabric::Loop& stitch = shownFabric->loops[static_cast<std::size_t>(loop)];
+        if (stitch.headLeft >= 0 && stitch.headRight >= 0) {
+            const auto place = [&](fabric::PointIndex point) {
+                return placeOf(shownFabric->points[static_cast<std::size_t>(point)].entry);
+            };
+            content.flags.push_back({0.5F * (place(stitch.headLeft) + place(stitch.headRight)), colour});
+        }
+    }
     overlay->update();
 }
 
@@ -339,6 +353,15 @@ void FabricView::setSelectedPoint(int point) {
         m->selectedPoint = point;
         m->placeMarks();
     }
+}
+
+void FabricView::setFlags(std::vector<std::pair<int, QColor>> flags) {
+    m->flags = std::move(flags);
+    m->placeMarks();
+}
+
+int FabricView::flagCount() const {
+    return static_cast<int>(m->content.flags.size());
 }
 
 void FabricView::centreOn(int loop) {

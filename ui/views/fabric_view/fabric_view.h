@@ -7,11 +7,13 @@
 #include "ui/render/look.h"
 
 #include <QByteArray>
+#include <QColor>
 #include <QImage>
 #include <QVector3D>
 #include <QWidget>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace knittsim::ui {
@@ -60,6 +62,11 @@ public:
 
     /// Rings a bonding point (index into Fabric::points); -1 for none. Emits nothing.
     void setSelectedPoint(int point);
+
+    /// Puts a sign at stitches (indices into Fabric::loops); those that the fabric does not have are left
+    /// out.
+    void setFlags(std::vector<std::pair<int, QColor>> flags);
+    int flagCount() const; ///< signs that are placed
 
     /// Moves the camera so that a loop lies in the middle; keeps direction and zoom.
     void centreOn(int loop);

@@ -61,6 +61,7 @@ void Overlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_content.scene) {
+        paintFlags(painter);
         paintPins(painter);
         paintMark(painter);
         paintPull(painter);
@@ -225,6 +226,19 @@ void Overlay::paintMark(QPainter& painter) const {
     for (const QPen& pen : {QPen(ground(), 4.5), QPen(ink(), 2)}) {
         painter.setPen(pen);
         painter.drawEllipse(QPointF(place.x(), place.y()), 9, 9);
+    }
+}
+
+/// A triangle that stands on the stitch, tip down.
+void Overlay::paintFlags(QPainter& painter) const {
+    constexpr double kSize = 9;
+    for (const Flag& flag : m_content.flags) {
+        const Vec3f place = m_content.camera.project(flag.place);
+        const QPointF tip(place.x(), place.y());
+        painter.setPen(QPen(opaque(ground()), 1.5));
+        painter.setBrush(flag.colour);
+        painter.drawPolygon(
+            QPolygonF{{tip, tip + QPointF(-0.6 * kSize, -kSize), tip + QPointF(0.6 * kSize, -kSize)}});
     }
 }
 

@@ -7,7 +7,8 @@
 namespace knittsim::ui {
 
 /// Badge of the side that is seen, legends of the mesh and of the colours, scale bar, axes, a ring round the
-/// selected bonding point, pins and a person's pull, painted over the picture. Lets all events through.
+/// selected bonding point, signs at stitches, pins and a person's pull, painted over the picture. Lets all
+/// events through.
 class Overlay : public QWidget {
     Q_OBJECT
 
@@ -31,6 +32,7 @@ private:
     void paintPull(QPainter& painter) const;
     QPointF onScreen(const Vec3f& place) const;
     void paintMark(QPainter& painter) const;
+    void paintFlags(QPainter& painter) const;
     void paintScale(QPainter& painter) const;
     void paintAxes(QPainter& painter) const;
     void paintMessage(QPainter& painter) const;

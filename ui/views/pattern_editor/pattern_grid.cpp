@@ -43,7 +43,7 @@ PatternGrid::PatternGrid(document::Document& document, QWidget* parent)
     connect(&m_document, &document::Document::stepChanged, this, &PatternGrid::takeStep);
     connect(&m_document, &document::Document::selectionChanged, this, &PatternGrid::takeSelection);
     connect(&m_document, &document::Document::yarnsChanged, this, &PatternGrid::takeYarns);
-    connect(&m_document, &document::Document::problemsChanged, this, &PatternGrid::takeProblems);
+    connect(&m_document, &document::Document::problemsChanged, viewport(), qOverload<>(&QWidget::update));
     takeFile();
 }
 
@@ -99,30 +99,6 @@ void PatternGrid::takeYarns() {
         m_colours.emplace_back(c.r, c.g, c.b);
     }
     viewport()->update();
-}
-
-void PatternGrid::takeProblems() {
-    m_problems.clear();
-    const auto file = m_document.file();
-    for (const Diagnostic& problem : m_document.problems()) {
-        const auto operation = problem.place.operation;
-        // Notes are not marked, nor what belongs to a file that is not shown.
-        if (!file || m_document.failedFile() || operation < 0 || problem.severity == Severity::Info) {
-            continue;
-        }
-        const LoopIndex loop = document::firstLoopOf(file->timeline->loops(), operation);
-        const auto [at, first] = m_problems.try_emplace(loop, problem);
-        if (!first && problem.severity > at->second.severity) {
-            at->second = problem;
-        }
-    }
-    m_problems.erase(-1);
-    viewport()->update();
-}
-
-const Diagnostic* PatternGrid::problemAt(LoopIndex loop) const {
-    const auto found = m_problems.find(loop);
-    return found == m_problems.end() ? nullptr : &found->second;
 }
 
 QColor PatternGrid::colourOf(LoopIndex loop) const {
@@ -221,11 +197,12 @@ QString PatternGrid::textAt(QPoint position) const {
     const machine::Program& program = file->timeline->program();
     if (const LoopIndex loop = loopAt(position); loop >= 0) {
         const QString stitch = document::stitchText(program, file->timeline->loops(), *grid(), loop);
-        const Diagnostic* problem = problemAt(loop);
-        return problem == nullptr ? stitch
-                                  : stitch + u'\n' + document::severityText(problem->severity) + u' ' +
-                                        QString::fromStdString(problem->id) + QStringLiteral(": ") +
-                                        document::causeText(*problem);
+        const document::ProblemMarks& marks = m_document.problemMarks();
+        const auto mark = marks.find(loop);
+        return mark == marks.end() ? stitch
+                                   : stitch + u'\n' + document::severityText(mark->second.severity) + u' ' +
+                                         QString::fromStdString(mark->second.id) + QStringLiteral(": ") +
+                                         document::causeText(mark->second);
     }
     const ChartGeometry::Cell at = m_chart.cellAt(position);
     const std::int32_t column = at.column + grid()->firstColumn();

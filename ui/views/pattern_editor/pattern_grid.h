@@ -6,7 +6,6 @@
 
 #include <QAbstractScrollArea>
 
-#include <map>
 #include <vector>
 
 namespace knittsim::ui {
@@ -31,9 +30,6 @@ public:
     QSize sizeHint() const override { return {340, 420}; }
     QSize minimumSizeHint() const override { return {180, 140}; }
 
-    /// The worst error or warning at a stitch, whose corner is marked; nullptr where it has none.
-    const Diagnostic* problemAt(machine::LoopIndex loop) const;
-
 signals:
     void loopHovered(int loop); ///< -1: none
 
@@ -55,7 +51,6 @@ private:
     void takeStep();
     void takeSelection();
     void takeYarns();
-    void takeProblems();
     void layoutChart();
     void setCellWidth(int width, QPoint fixed);
     void zoomAt(QPoint position, int direction);
@@ -79,9 +74,8 @@ private:
     document::Document& m_document;
     ChartGeometry m_chart;
     CellPainter m_cells;
-    std::vector<QColor> m_colours;                       ///< by carrier
-    std::map<machine::LoopIndex, Diagnostic> m_problems; ///< the worst at a stitch, but no notes
-    machine::LoopIndex m_knitted = 0;                    ///< loops below this are made at the document's step
+    std::vector<QColor> m_colours;    ///< by carrier
+    machine::LoopIndex m_knitted = 0; ///< loops below this are made at the document's step
     machine::LoopIndex m_hover = -1;
     std::int32_t m_currentCourse = -1; ///< course of the last stitch made at the document's step
     bool m_fitted = true;              ///< the cell size follows the widget until the user zooms

@@ -154,7 +154,7 @@ void PatternGrid::paintProblems(QPainter& painter) const {
     const Accents accents = accentsOf(palette());
     const QRect area = m_chart.chartArea();
     painter.setRenderHint(QPainter::Antialiasing, true);
-    for (const auto& [loop, problem] : m_problems) {
+    for (const auto& [loop, problem] : m_document.problemMarks()) {
         const QRectF cell = rectOf(loop);
         if (!area.intersects(cell.toRect())) {
             continue;
