@@ -320,12 +320,14 @@ Activity Document::activity() const {
 }
 
 void Document::start() {
+    m_yarnRun.clear(); // what is at rest at once never shows that it moved
     m_bridge.post(command::Start{});
 }
 void Document::pause() {
     m_bridge.post(command::Pause{});
 }
 void Document::stepSimulation() {
+    m_yarnRun.clear();
     m_bridge.post(command::Step{});
 }
 void Document::stop() {

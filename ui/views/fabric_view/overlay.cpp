@@ -192,8 +192,8 @@ void Overlay::paintPull(QPainter& painter) const {
     if (!m_content.pull) {
         return;
     }
-    constexpr int kTurns = 9;
-    constexpr double kWide = 5;
+    constexpr int kTurns = 14;
+    constexpr double kWide = 7;
     const QPointF from = onScreen(m_content.pull->first);
     const QPointF to = onScreen(m_content.pull->second);
     const QPointF way = to - from;
