@@ -81,17 +81,22 @@ bool YarnSettling::step(const physics::Interrupt& interrupt) {
         return false;
     }
     if (m_phase == Phase::Growing) {
-        grow();
-        return true;
+        grow(interrupt);
+        return !interrupt.wanted();
     }
     return settle(interrupt);
 }
 
-void YarnSettling::grow() {
-    for (int i = 0; i < kSweepsAtOnce; ++i) {
+void YarnSettling::grow(const physics::Interrupt& interrupt) {
+    int sweeps = 0;
+    while (sweeps < kSweepsAtOnce && !interrupt.wanted()) {
         m_growth->sweep(m_motion.positions);
+        ++sweeps;
     }
-    m_sweeps += kSweepsAtOnce;
+    m_sweeps += sweeps;
+    if (sweeps < kSweepsAtOnce) {
+        return;
+    }
     if (m_dense) {
         if (m_growth->thickness() >= kCoarseFrom) {
             m_cutCorners = straighten();
