@@ -20,15 +20,6 @@ std::shared_ptr<const yarn::YarnLibrary> readLibrary() {
                    : std::make_shared<yarn::YarnLibrary>(std::vector{yarn::defaultYarn()});
 }
 
-std::vector<yarn::Yarn> yarnsOf(const std::vector<CarrierYarn>& carriers) {
-    std::vector<yarn::Yarn> yarns;
-    yarns.reserve(carriers.size());
-    for (const CarrierYarn& carrier : carriers) {
-        yarns.push_back(carrier.yarn);
-    }
-    return yarns;
-}
-
 /// The neighbour of `value` among rising stops; the ends of the program count as stops.
 OperationIndex nextStop(const std::vector<OperationIndex>& stops, OperationIndex value, int direction,
                         OperationIndex end) {
@@ -126,7 +117,7 @@ void Document::show(const std::shared_ptr<const OpenedFile>& file) {
     m_undo.clear();
     m_whole = file->fabric;
     countLoops();
-    m_bridge.load(file->fabric, yarnsOf(m_carriers));
+    m_bridge.load(file->fabric, machine::yarnsOf(m_carriers));
     emit generationChanged();
     emit opened();
     emit yarnsChanged();
@@ -350,7 +341,7 @@ void Document::startYarn() {
     }
     setStep(operationCount());
     stop(); // what happens to the yarn does not wake the net of bonding points
-    m_yarnRun.start(m_whole, yarnsOf(m_carriers));
+    m_yarnRun.start(m_whole, machine::yarnsOf(m_carriers));
     for (const fabric::PointIndex point : m_pins) {
         m_yarnRun.setPinned(point, true);
     }
