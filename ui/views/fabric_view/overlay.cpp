@@ -163,7 +163,7 @@ void Overlay::paintColours(QPainter& painter, int top) const {
             bar.left() + static_cast<int>(range.shareOf(value) * static_cast<float>(bar.width() - 1));
         painter.drawLine(x, bar.bottom() + 1, x, bar.bottom() + 4);
         painter.drawText(QRect(x - 50, bar.bottom() + 5, 100, line), Qt::AlignHCenter | Qt::AlignTop,
-                         QLocale().toString(value, 'g', 4));
+                         QLocale().toString(value, 'g', 6));
     }
 }
 
