@@ -117,10 +117,7 @@ std::optional<Loaded> load(const LoadOptions& options) {
         return std::nullopt;
     }
     const machine::Program& program = loaded.timeline->program();
-    for (const machine::CarrierYarn& carrier :
-         machine::carrierYarns(program, library.value(), yarn::defaultYarn())) {
-        loaded.yarns.push_back(carrier.yarn);
-    }
+    loaded.yarns = machine::yarnsOf(machine::carrierYarns(program, library.value(), yarn::defaultYarn()));
     for (const std::string& assignment : options.yarns) {
         if (!assignYarn(assignment, program, library.value(), loaded.yarns)) {
             return std::nullopt;

@@ -104,6 +104,15 @@ std::vector<CarrierYarn> carrierYarns(const Program& program, const yarn::YarnLi
     return carriers;
 }
 
+std::vector<yarn::Yarn> yarnsOf(const std::vector<CarrierYarn>& carriers) {
+    std::vector<yarn::Yarn> yarns;
+    yarns.reserve(carriers.size());
+    for (const CarrierYarn& carrier : carriers) {
+        yarns.push_back(carrier.yarn);
+    }
+    return yarns;
+}
+
 bool sameBody(const yarn::Yarn& a, const yarn::Yarn& b) {
     return a.tex == b.tex && a.outerDiameterMm == b.outerDiameterMm && a.coreDiameterMm == b.coreDiameterMm &&
            a.axialStiffnessMilliNewton == b.axialStiffnessMilliNewton &&

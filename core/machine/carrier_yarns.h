@@ -23,6 +23,9 @@ struct CarrierYarn {
 std::vector<CarrierYarn> carrierYarns(const Program& program, const yarn::YarnLibrary& library,
                                       const yarn::Yarn& fallback);
 
+/// By carrier, without the names.
+std::vector<yarn::Yarn> yarnsOf(const std::vector<CarrierYarn>& carriers);
+
 /// Only the colour and the surface differ, so that a change needs no physics.
 bool sameBody(const yarn::Yarn& a, const yarn::Yarn& b);
 

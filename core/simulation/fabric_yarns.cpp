@@ -283,6 +283,9 @@ FabricYarns layYarns(const Fabric& f, std::span<const yarn::Yarn> yarns, const Y
     }
     const double loopLength = meanLoopLength(f);
     const Eigen::Vector2d plane = drawIn(f, yarns, layout);
+    if (layout.cancelled != nullptr && (*layout.cancelled)()) {
+        return result;
+    }
     Laying laying(f,
                   geometry::buildYarnCurves(f, machinePositions(f), diameters,
                                             {.samplesPerSegment = kSamples, .exact = true}),

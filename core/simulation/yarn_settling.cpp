@@ -27,7 +27,7 @@ constexpr double kPull = 2;           ///< stiffness of a person's pull, EI/d^3
 constexpr double kTwoFacedHalf = 2.4; ///< diameters: a rib is 3.4 to 4.8 thick (PHYSICS-REFERENCE 3.3)
 /// A fabric whose energy falls by less in so many steps is at rest for all that one can measure of it: what
 /// still moves are loose ends.
-constexpr double kEnergyAtRest = 1e-3;
+constexpr double kEnergyAtRest = 1e-3; ///< without friction it must not go on: stitches slide into heaps
 constexpr double kEnergyHeld = 1e-2;
 constexpr double kEnergyPulled = 1e-4; ///< what a person pulls is to follow
 constexpr std::size_t kStepsAtRest = 8;
@@ -81,17 +81,22 @@ bool YarnSettling::step(const physics::Interrupt& interrupt) {
         return false;
     }
     if (m_phase == Phase::Growing) {
-        grow();
-        return true;
+        grow(interrupt);
+        return !interrupt.wanted();
     }
     return settle(interrupt);
 }
 
-void YarnSettling::grow() {
-    for (int i = 0; i < kSweepsAtOnce; ++i) {
+void YarnSettling::grow(const physics::Interrupt& interrupt) {
+    int sweeps = 0;
+    while (sweeps < kSweepsAtOnce && !interrupt.wanted()) {
         m_growth->sweep(m_motion.positions);
+        ++sweeps;
     }
-    m_sweeps += kSweepsAtOnce;
+    m_sweeps += sweeps;
+    if (sweeps < kSweepsAtOnce) {
+        return;
+    }
     if (m_dense) {
         if (m_growth->thickness() >= kCoarseFrom) {
             m_cutCorners = straighten();

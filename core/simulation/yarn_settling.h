@@ -88,7 +88,7 @@ private:
         Rubbed, ///< in the surroundings, with friction
     };
 
-    void grow();
+    void grow(const physics::Interrupt& interrupt);
     int straighten();
     void coarsen();
     void startSettling();

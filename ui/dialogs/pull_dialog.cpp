@@ -98,12 +98,8 @@ void PullDialog::toggle() {
     if (!file) {
         return;
     }
-    std::vector<yarn::Yarn> yarns;
-    for (const document::CarrierYarn& carrier : m_document.carriers()) {
-        yarns.push_back(carrier.yarn);
-    }
     using physics::CellLoadTerm;
-    m_run.start(file->fabric, std::move(yarns),
+    m_run.start(file->fabric, machine::yarnsOf(m_document.carriers()),
                 {.side = m_sides->currentIndex() == 0 ? CellLoadTerm::Width : CellLoadTerm::Height,
                  .strain = m_strain->value() / 100,
                  .steps = m_steps->value()});

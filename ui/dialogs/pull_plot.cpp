@@ -1,5 +1,6 @@
 #include "ui/dialogs/pull_plot.h"
 
+#include "core/base/round_numbers.h"
 #include "ui/views/style/appearance.h"
 
 #include <QLocale>
@@ -10,16 +11,10 @@
 
 namespace knittsim::ui {
 
-double tickStep(double span, int parts) {
-    const double wanted = std::max(span, 1e-12) / parts;
-    const double power = std::pow(10, std::floor(std::log10(wanted)));
-    for (const double step : {1.0, 2.0, 5.0}) {
-        if (wanted <= 1.0001 * step * power) {
-            return step * power;
-        }
-    }
-    return 10 * power;
-}
+namespace {
+constexpr double kForceTicks = 4; ///< about
+constexpr double kStrainTicks = 6;
+} // namespace
 
 PullPlot::PullPlot(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("pullPlot"));
@@ -48,7 +43,7 @@ void PullPlot::paintEvent(QPaintEvent*) {
         }
     }
     most = most > 0 ? most : 0.1;
-    const double step = tickStep(most - least, 4);
+    const double step = roundUp((most - least) / kForceTicks);
     const double low = step * std::floor(least / step);
     const double high = step * std::ceil(most / step);
     const int axis = fontMetrics().horizontalAdvance(QStringLiteral("-0.0000")) + 8;
@@ -71,7 +66,7 @@ void PullPlot::paintEvent(QPaintEvent*) {
         painter.drawText(QRectF(0, y - line / 2.0, axis - 6, line), Qt::AlignRight | Qt::AlignVCenter,
                          locale.toString(value, 'g', 4));
     }
-    const double across = tickStep(m_mostStrain, 6);
+    const double across = roundUp(m_mostStrain / kStrainTicks);
     for (double strain = 0; strain <= 1.0001 * m_mostStrain; strain += across) {
         const double x = place({strain, 0}).x();
         painter.setPen(accents.line);

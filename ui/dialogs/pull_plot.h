@@ -29,7 +29,4 @@ private:
     double m_mostStrain = 60;
 };
 
-/// 1, 2 or 5 times a power of ten such that about `parts` of them make up `span`.
-double tickStep(double span, int parts);
-
 } // namespace knittsim::ui

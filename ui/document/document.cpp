@@ -20,15 +20,6 @@ std::shared_ptr<const yarn::YarnLibrary> readLibrary() {
                    : std::make_shared<yarn::YarnLibrary>(std::vector{yarn::defaultYarn()});
 }
 
-std::vector<yarn::Yarn> yarnsOf(const std::vector<CarrierYarn>& carriers) {
-    std::vector<yarn::Yarn> yarns;
-    yarns.reserve(carriers.size());
-    for (const CarrierYarn& carrier : carriers) {
-        yarns.push_back(carrier.yarn);
-    }
-    return yarns;
-}
-
 /// The neighbour of `value` among rising stops; the ends of the program count as stops.
 OperationIndex nextStop(const std::vector<OperationIndex>& stops, OperationIndex value, int direction,
                         OperationIndex end) {
@@ -158,7 +149,7 @@ void Document::exchangeFile(const std::shared_ptr<const OpenedFile>& file) {
 }
 
 void Document::tellFile(bool another) {
-    m_bridge.load(m_whole, yarnsOf(m_carriers));
+    m_bridge.load(m_whole, machine::yarnsOf(m_carriers));
     emit generationChanged();
     emit fileChanged();
     if (another) {
@@ -380,12 +371,14 @@ Activity Document::activity() const {
 }
 
 void Document::start() {
+    m_yarnRun.clear(); // what is at rest at once never shows that it moved
     m_bridge.post(command::Start{});
 }
 void Document::pause() {
     m_bridge.post(command::Pause{});
 }
 void Document::stepSimulation() {
+    m_yarnRun.clear();
     m_bridge.post(command::Step{});
 }
 void Document::stop() {
@@ -408,7 +401,7 @@ void Document::startYarn() {
     }
     setStep(operationCount());
     stop(); // what happens to the yarn does not wake the net of bonding points
-    m_yarnRun.start(m_whole, yarnsOf(m_carriers));
+    m_yarnRun.start(m_whole, machine::yarnsOf(m_carriers));
     for (const fabric::PointIndex point : m_pins) {
         m_yarnRun.setPinned(point, true);
     }

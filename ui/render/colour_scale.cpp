@@ -1,5 +1,7 @@
 #include "ui/render/colour_scale.h"
 
+#include "core/base/round_numbers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -11,17 +13,6 @@ namespace {
 constexpr double kSticksOut = 0.02; ///< share of the values at each end
 constexpr float kSteps = 4;         ///< of a scale, about
 constexpr float kNoneBelow = 0.1F;  ///< of the highest
-
-/// 1, 2 or 5 times a power of ten, not below a positive value.
-float roundUp(float value) {
-    const float power = std::pow(10.0F, std::floor(std::log10(value)));
-    for (const float step : {1.0F, 2.0F, 5.0F}) {
-        if (value <= 1.001F * step * power) {
-            return step * power;
-        }
-    }
-    return 10 * power;
-}
 
 std::uint8_t between(std::uint8_t a, std::uint8_t b, float share) {
     return static_cast<std::uint8_t>(
@@ -52,7 +43,7 @@ ValueRange rangeOf(std::span<const float> values) {
     if (!(top > bottom)) {
         return {};
     }
-    const float step = roundUp((top - bottom) / kSteps);
+    const auto step = static_cast<float>(roundUp((top - bottom) / kSteps));
     return {step * std::floor(bottom / step), step * std::ceil(top / step), step};
 }
 

@@ -164,7 +164,7 @@ void Overlay::paintColours(QPainter& painter, int top) const {
             bar.left() + static_cast<int>(range.shareOf(value) * static_cast<float>(bar.width() - 1));
         painter.drawLine(x, bar.bottom() + 1, x, bar.bottom() + 4);
         painter.drawText(QRect(x - 50, bar.bottom() + 5, 100, line), Qt::AlignHCenter | Qt::AlignTop,
-                         QLocale().toString(value, 'g', 4));
+                         QLocale().toString(value, 'g', 6));
     }
 }
 
@@ -193,8 +193,8 @@ void Overlay::paintPull(QPainter& painter) const {
     if (!m_content.pull) {
         return;
     }
-    constexpr int kTurns = 9;
-    constexpr double kWide = 5;
+    constexpr int kTurns = 14;
+    constexpr double kWide = 7;
     const QPointF from = onScreen(m_content.pull->first);
     const QPointF to = onScreen(m_content.pull->second);
     const QPointF way = to - from;
