@@ -121,7 +121,7 @@ void ChartEditor::buildTools() {
     add(ChartTool::Fill, "actionChartFill", tr("Fill"), Qt::Key_K, "fill");
     m_tools->addSeparator();
     QAction* stamp = addTool(static_cast<int>(ChartTool::Stamp), QStringLiteral("actionChartStamp"),
-                             tr("Stitch catalogue"), Qt::Key_M, QStringLiteral("samples"));
+                             tr("Stitch catalogue"), Qt::SHIFT | Qt::Key_B, QStringLiteral("samples"));
     auto* button = qobject_cast<QToolButton*>(m_tools->widgetForAction(stamp));
     connect(stamp, &QAction::triggered, this, [this, button] {
         const QWidget* at = button->isVisible() ? static_cast<QWidget*>(button) : this;
