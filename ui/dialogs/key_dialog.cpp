@@ -25,6 +25,19 @@ QTreeWidgetItem* addGroup(QTreeWidget* list, const QString& title) {
     return group;
 }
 
+/// Of a menu and the menus in it.
+QList<QAction*> actionsWithKeys(const QMenu* menu) {
+    QList<QAction*> found;
+    for (QAction* action : menu ? menu->actions() : QList<QAction*>()) {
+        if (action->menu()) {
+            found += actionsWithKeys(action->menu());
+        } else if (!action->shortcut().isEmpty()) {
+            found << action;
+        }
+    }
+    return found;
+}
+
 void addMouse(QTreeWidget* list) {
     QTreeWidgetItem* group = addGroup(list, KeyDialog::tr("Mouse"));
     const std::initializer_list<std::pair<QString, QString>> uses{
@@ -51,10 +64,7 @@ KeyDialog::KeyDialog(const QMenuBar* menus, QWidget* parent) : QDialog(parent) {
     list->setAlternatingRowColors(true);
     for (const QAction* entry : menus->actions()) {
         QTreeWidgetItem* group = nullptr;
-        for (const QAction* action : entry->menu() ? entry->menu()->actions() : QList<QAction*>()) {
-            if (action->shortcut().isEmpty()) {
-                continue;
-            }
+        for (const QAction* action : actionsWithKeys(entry->menu())) {
             group = group ? group : addGroup(list, plain(entry->text()));
             new QTreeWidgetItem(
                 group, {plain(action->text()), action->shortcut().toString(QKeySequence::NativeText)});

@@ -18,6 +18,7 @@ std::shared_ptr<YarnShape> shapeOf(const std::shared_ptr<const fabric::Fabric>& 
     auto shape = std::make_shared<YarnShape>();
     shape->fabric = fabric;
     shape->curves = std::make_shared<geometry::YarnCurves>(settling.curves());
+    shape->places = simulation::entryPositions(*fabric, settling.yarns(), settling.shape());
     shape->steps = settling.report().steps;
     shape->growing = settling.phase() == simulation::YarnSettling::Phase::Growing;
     shape->verdict = settling.report().verdict;
@@ -43,8 +44,7 @@ QString settle(const std::shared_ptr<const fabric::Fabric>& fabric, const std::v
     if (!cancelled()) {
         auto last = shapeOf(fabric, settling);
         last->audit = settling.audit();
-        last->measured = geometry::measure(
-            *fabric, simulation::entryPositions(*fabric, settling.yarns(), settling.shape()));
+        last->measured = geometry::measure(*fabric, last->places);
         last->finished = true;
         tell(last);
     }

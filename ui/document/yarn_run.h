@@ -18,6 +18,7 @@ class Mailbox;
 struct YarnShape {
     std::shared_ptr<const fabric::Fabric> fabric;
     std::shared_ptr<const geometry::YarnCurves> curves;
+    std::vector<float> places; ///< of the bonding points: 3 per entry, mm
     int steps = 0;         ///< of the solver; 0 while the yarns grow
     bool growing = true;   ///< thin yarns make room for each other
     bool finished = false; ///< then `audit` and `measured` hold

@@ -94,7 +94,6 @@ private:
                        std::span<const fabric::PointIndex> pointOfNode);
     std::shared_ptr<SceneFrame> emptyFrame() const;
     void fillCurves(SceneFrame& frame, const geometry::YarnCurves& curves) const;
-    void addChunks(SceneFrame& frame) const;
     void fillMesh(SceneFrame& frame, std::span<const float> positions) const;
     void addMarkers(SceneFrame& frame, std::span<const float> positions) const;
 

@@ -1,7 +1,9 @@
 #include "ui/window/main_window.h"
 
 #include "core/pattern/samples.h"
+#include "ui/dialogs/export_dialog.h"
 #include "ui/document/message_text.h"
+#include "ui/document/operation_text.h"
 #include "ui/views/diagnostics/diagnostics_panel.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/history/history_card.h"
@@ -24,11 +26,10 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMimeData>
-#include <QPointer>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QThreadPool>
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -185,6 +186,10 @@ void MainWindow::connectFabric() {
         m_document.drag(entry, {point.x(), point.y(), point.z()});
     });
     connect(m_fabric, &FabricView::dragEnded, &m_document, &Document::releaseDrag);
+    m_fabric->setDescriber([this](int loop) { return describeLoop(loop); });
+    connect(m_fabric, &FabricView::measured, this, [this](double millimetres) {
+        statusBar()->showMessage(tr("Tape: %1").arg(lengthText(millimetres)), 10000);
+    });
     connect(m_fabric, &FabricView::glFailed, this,
             [this](const QString& reason) { m_banner->showMessage(Banner::Kind::Note, reason); });
 }
@@ -192,7 +197,8 @@ void MainWindow::connectFabric() {
 void MainWindow::takeYarnRun() {
     const auto shape = m_document.yarnRun().shape();
     const bool shown = shape && shape->fabric == m_document.shownFabric();
-    m_fabric->setCurves(shown ? shape->curves : nullptr);
+    m_fabric->setCurves(shown ? shape->curves : nullptr,
+                        shown ? std::span(shape->places) : std::span<const float>());
 }
 
 void MainWindow::openFile(const QString& path) {
@@ -253,10 +259,44 @@ void MainWindow::takeFabric() {
     if (const auto frame = m_document.shownFrame()) {
         m_fabric->setFrame(frame);
     }
+    markProblems();
     const int loop = m_document.selection().loop;
     const auto fabric = m_document.shownFabric();
     m_fabric->setSelection(fabric && loop < static_cast<int>(fabric->loops.size()) ? loop : -1);
     m_fabric->setSelectedPoint(m_document.selectedPoint());
+}
+
+/// Signs at the loops that the operations with problems made.
+void MainWindow::markProblems() {
+    std::vector<LoopProblem> marks;
+    const auto fabric = m_document.shownFabric();
+    if (fabric && !m_document.failedFile()) {
+        const auto& loops = fabric->made.loops;
+        for (const Diagnostic& problem : m_document.problems()) {
+            const auto made =
+                std::ranges::lower_bound(loops, problem.place.operation, {}, &machine::Loop::operation);
+            if (problem.place.operation >= 0 && made != loops.end() &&
+                made->operation == problem.place.operation) {
+                marks.push_back({static_cast<int>(made - loops.begin()), problem.severity});
+            }
+        }
+    }
+    m_fabric->setProblems(std::move(marks));
+}
+
+QString MainWindow::describeLoop(int loop) const {
+    const auto file = m_document.file();
+    const auto& loops = file->timeline->loops();
+    if (static_cast<std::size_t>(loop) >= loops.loops.size()) {
+        return {};
+    }
+    const machine::Loop& made = loops.loops[static_cast<std::size_t>(loop)];
+    const auto& carriers = m_document.carriers();
+    return document::stitchText(file->timeline->program(), loops, *file->grid, loop) + u'\n' +
+           tr("%1, %2 mm of yarn in the loop")
+               .arg(made.carrier < carriers.size() ? QString::fromStdString(carriers[made.carrier].yarn.name)
+                                                   : QString(),
+                    QLocale().toString(made.lengthMm, 'f', 2));
 }
 
 void MainWindow::takeProblems() {
@@ -264,6 +304,7 @@ void MainWindow::takeProblems() {
     const auto notes = std::ranges::count(found, Severity::Info, &Diagnostic::severity);
     const auto count = static_cast<std::ptrdiff_t>(found.size()) - notes;
     m_problemDock->setVisible(count > 0); // notes alone do not push themselves forward
+    markProblems();
     m_problemDock->setWindowTitle(count > 0 ? tr("Problems (%1)").arg(count) : tr("Problems"));
     takeActions();
 }
@@ -323,27 +364,34 @@ void MainWindow::chooseFile() {
     }
 }
 
-void MainWindow::exportPicture() {
-    const QString start = m_session.lastFolder() + u'/' +
-                          QFileInfo(m_document.file()->request.title).baseName() + QStringLiteral(".png");
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Export the picture"), start, tr("Pictures (*.png)"));
-    if (path.isEmpty()) {
+void MainWindow::exportShown() {
+    ExportSource source;
+    source.fabric = m_document.shownFabric();
+    if (!source.fabric) {
         return;
     }
-    m_session.setLastFolder(QFileInfo(path).absolutePath());
-    QThreadPool::globalInstance()->start(
-        [picture = m_fabric->picture(), path, window = QPointer<MainWindow>(this)] {
-            const bool saved = picture.save(path);
-            QMetaObject::invokeMethod(qApp, [saved, path, window] {
-                if (window && !saved) {
-                    window->m_banner->showMessage(Banner::Kind::Error,
-                                                  tr("The picture cannot be written to %1.").arg(path));
-                } else if (window) {
-                    window->statusBar()->showMessage(tr("Picture written to %1").arg(path), 5000);
-                }
-            });
-        });
+    const auto yarn = m_document.yarnRun().shape();
+    if (yarn && yarn->fabric == source.fabric) {
+        source.curves = yarn->curves;
+        source.places = yarn->places;
+    } else if (const auto frame = m_document.shownFrame()) {
+        source.places = frame->positions;
+    }
+    for (const document::CarrierYarn& carrier : m_document.carriers()) {
+        source.yarns.push_back(carrier.yarn);
+    }
+    source.style = m_fabric->style();
+    source.camera = m_fabric->cameraState();
+    source.dark = isDark(palette());
+    const QString name = QFileInfo(m_document.file()->request.title).completeBaseName();
+    auto* dialog =
+        new ExportDialog(std::move(source), m_session.lastFolder() + u'/' + name, m_fabric->size(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &ExportDialog::written, this, [this](const QString& path) {
+        m_session.setLastFolder(QFileInfo(path).absolutePath());
+        statusBar()->showMessage(tr("Written to %1").arg(path), 5000);
+    });
+    dialog->open();
 }
 
 void MainWindow::setAppearance(document::Appearance appearance) {

@@ -62,12 +62,14 @@ private:
     void takeFabric();
     void takeYarnRun();
     void takeProblems();
+    void markProblems();
+    QString describeLoop(int loop) const;
     void showPlace(const Diagnostic& problem);
     void showLine(int line);
     void showWorkspace();
     void showGallery();
     void chooseFile();
-    void exportPicture();
+    void exportShown();
     void setAppearance(document::Appearance appearance);
 
     // main_window_actions.cpp
@@ -80,6 +82,7 @@ private:
     void buildFileMenu();
     void buildEditMenu();
     void buildViewMenu();
+    void buildOverlayMenu(QMenu* view);
     void buildMachineMenu();
     void buildSimulateMenu();
     void buildWindowMenu();

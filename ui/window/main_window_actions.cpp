@@ -20,6 +20,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMenuBar>
+#include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -88,8 +89,8 @@ void MainWindow::buildFileMenu() {
     addAction(menu, "actionGallery", tr("Sample &gallery"), QKeySequence(tr("Ctrl+Shift+O")), {},
               [this] { showGallery(); });
     menu->addSeparator();
-    addAction(menu, "actionExportPicture", tr("&Export picture\u2026"), QKeySequence(tr("Ctrl+E")), "picture",
-              [this] { exportPicture(); });
+    addAction(menu, "actionExport", tr("&Export\u2026"), QKeySequence(tr("Ctrl+E")), "picture",
+              [this] { exportShown(); });
     menu->addSeparator();
     addAction(menu, "actionQuit", tr("&Quit"), QKeySequence(tr("Ctrl+Q")), {},
               [] { QApplication::closeAllWindows(); });
@@ -166,12 +167,10 @@ void MainWindow::buildViewMenu() {
               [this] { m_fabric->setStyle(DrawStyle::Strokes); });
     addChoice(menu, styles, "actionStyleMesh", tr("Bonding points and &mesh"), Qt::ALT | Qt::Key_3,
               "style-mesh", [this] { m_fabric->setStyle(DrawStyle::Mesh); });
-    QAction* legend =
-        addChoice(menu, nullptr, "actionLegend", tr("Legend of the &mesh"), Qt::ALT | Qt::Key_4, {}, [] {});
-    connect(legend, &QAction::toggled, this, [this](bool on) { m_fabric->setLegend(on); });
     QAction* history = addChoice(menu, nullptr, "actionHistory", tr("H&istory of the selected bonding point"),
                                  Qt::Key_H, {}, [] {});
     connect(history, &QAction::toggled, this, [this](bool on) { m_history->setSwitchedOn(on); });
+    buildOverlayMenu(menu);
     menu->addSeparator();
     QMenu* appearance = menu->addMenu(tr("&Appearance"));
     auto* looks = new QActionGroup(this);
@@ -186,6 +185,34 @@ void MainWindow::buildViewMenu() {
     }
     QAction* full = addChoice(menu, nullptr, "actionFullScreen", tr("F&ull screen"), Qt::Key_F11, {}, [] {});
     connect(full, &QAction::toggled, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
+}
+
+void MainWindow::buildOverlayMenu(QMenu* view) {
+    QMenu* menu = view->addMenu(tr("&Overlays"));
+    menu->setObjectName(QStringLiteral("overlayMenu"));
+    const auto add = [&](const char* name, const QString& text, const QKeySequence& keys, auto set) {
+        QAction* action = addChoice(menu, nullptr, name, text, keys, {}, [] {});
+        connect(action, &QAction::toggled, this, [this, set](bool on) { (m_fabric->*set)(on); });
+    };
+    add("actionLegend", tr("Legend of the &mesh"), Qt::ALT | Qt::Key_4, &FabricView::setLegend);
+    add("actionDimensions", tr("&Dimensions and gauge"), Qt::ALT | Qt::Key_5, &FabricView::setDimensions);
+    add("actionMarks", tr("Signs at &problems"), Qt::ALT | Qt::Key_6, &FabricView::setProblemMarks);
+    add("actionGuides", tr("&Lines along courses and wales"), Qt::Key_G, &FabricView::setGuides);
+    add("actionTape", tr("Measuring &tape"), Qt::Key_M, &FabricView::setTaping);
+    menu->addSeparator();
+    const auto addAlone = [&](const char* name, const QString& text, const QKeySequence& keys,
+                              FabricView::Alone what) {
+        QAction* action = addChoice(menu, nullptr, name, text, keys, {}, [this, what] {
+            const bool again = m_fabric->alone() == what;
+            if (!m_fabric->showAlone(again ? FabricView::Alone::Nothing : what)) {
+                statusBar()->showMessage(tr("Select a stitch first, or point at one"), 5000);
+            }
+            takeActions();
+        });
+        action->setToolTip(tr("%1: hides all but that of the selected stitch").arg(action->toolTip()));
+    };
+    addAlone("actionYarnAlone", tr("Only this &yarn"), Qt::Key_I, FabricView::Alone::Yarn);
+    addAlone("actionCourseAlone", tr("Only this &course"), Qt::SHIFT | Qt::Key_I, FabricView::Alone::Course);
 }
 
 void MainWindow::buildMachineMenu() {
@@ -307,7 +334,7 @@ void MainWindow::buildToolBar() {
     samples->setMenu(findChild<QMenu*>(QStringLiteral("sampleMenu")));
     samples->setPopupMode(QToolButton::InstantPopup);
     m_toolBar->addWidget(samples);
-    add({"actionExportPicture"});
+    add({"actionExport"});
     add({"actionUndo", "actionRedo"});
     add({"actionFit", "actionFront", "actionBack", "actionTop", "actionOrthographic"});
     add({"actionStyleYarn", "actionStyleStrokes", "actionStyleMesh"});
@@ -354,7 +381,7 @@ void MainWindow::takeActions() {
         }
     }
     for (const char* name :
-         {"actionExportPicture", "actionFront", "actionBack", "actionLeft", "actionRight", "actionTop",
+         {"actionExport", "actionFront", "actionBack", "actionLeft", "actionRight", "actionTop",
           "actionBottom", "actionFit", "actionFitChart", "actionCentre", "actionNearer", "actionFarther"}) {
         findChild<QAction*>(QString::fromLatin1(name))->setEnabled(open);
     }
@@ -375,7 +402,17 @@ void MainWindow::takeActions() {
                         : style == DrawStyle::Strokes ? QStringLiteral("actionStyleStrokes")
                                                       : QStringLiteral("actionStyleMesh"))
         ->setChecked(true);
-    findChild<QAction*>(QStringLiteral("actionLegend"))->setChecked(m_fabric->hasLegend());
+    const std::initializer_list<std::pair<const char*, bool>> overlays{
+        {"actionLegend", m_fabric->hasLegend()},
+        {"actionDimensions", m_fabric->hasDimensions()},
+        {"actionMarks", m_fabric->hasProblemMarks()},
+        {"actionGuides", m_fabric->hasGuides()},
+        {"actionTape", m_fabric->isTaping()},
+        {"actionYarnAlone", m_fabric->alone() == FabricView::Alone::Yarn},
+        {"actionCourseAlone", m_fabric->alone() == FabricView::Alone::Course}};
+    for (const auto& [name, on] : overlays) {
+        findChild<QAction*>(QString::fromLatin1(name))->setChecked(on);
+    }
     findChild<QAction*>(QStringLiteral("actionHistory"))->setChecked(m_history->isSwitchedOn());
     findChild<QAction*>(QStringLiteral("actionOrthographic"))->setChecked(m_fabric->isOrthographic());
     const Diagnostics& found = m_document.problems();

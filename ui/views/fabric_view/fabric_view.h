@@ -3,14 +3,20 @@
 #include "core/fabric/fabric.h"
 #include "core/geometry/yarn_curve.h"
 #include "core/simulation/frame.h"
+#include "ui/render/camera.h"
 #include "ui/render/look.h"
+#include "ui/views/fabric_view/annotations.h"
 
 #include <QByteArray>
 #include <QImage>
+#include <QStringList>
 #include <QVector3D>
 #include <QWidget>
 
+#include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace knittsim::ui {
@@ -20,8 +26,8 @@ namespace knittsim::ui {
 /// QPainter.
 ///
 /// Mouse: left drag orbits, middle or Shift+left drag pans, wheel zooms at the cursor, click selects a
-/// stitch, Ctrl+left drag (or any left drag in drag mode) on yarn pulls its bonding point. All functions:
-/// window thread.
+/// stitch or sets the tape, Ctrl+left drag (or any left drag in drag mode) on yarn pulls its bonding point.
+/// All functions: window thread.
 class FabricView : public QWidget {
     Q_OBJECT
 
@@ -38,7 +44,8 @@ public:
 
     /// The yarn itself instead of curves through bonding points, until the next frame or fabric; not in the
     /// mesh style. `curves` are of the present fabric; null ends it.
-    void setCurves(std::shared_ptr<const geometry::YarnCurves> curves);
+    /// `places` of the bonding points: 3 per entry, mm.
+    void setCurves(std::shared_ptr<const geometry::YarnCurves> curves, std::span<const float> places);
 
     /// Colours and surfaces by carrier; never touches the shape, except where a diameter changed.
     void setLooks(std::vector<render::YarnLook> looks);
@@ -73,6 +80,31 @@ public:
     bool hasLegend() const;
     void setDragMode(bool on); ///< plain left drag pulls bonding points
 
+    // Annotations. All have a legend in the picture; none is part of picture().
+    void setDimensions(bool on); ///< width, height and gauge
+    bool hasDimensions() const;
+    void setGuides(bool on); ///< numbered lines along courses and wales
+    bool hasGuides() const;
+    void setProblemMarks(bool on);
+    bool hasProblemMarks() const;
+    void setProblems(std::vector<LoopProblem> problems); ///< of the present fabric; setFabric() forgets them
+    void setTaping(bool on); ///< clicks set the two ends of a measuring tape instead of selecting
+    bool isTaping() const;
+
+    /// Hides all but the yarn or the course of the selected loop, else of the one under the mouse. False, and
+    /// nothing changed, where there is none. An empty view forgets it.
+    enum class Alone { Nothing, Yarn, Course };
+    bool showAlone(Alone what);
+    Alone alone() const;
+
+    /// What the tool tip says of a loop.
+    void setDescriber(std::function<QString(int loop)> describer);
+
+    QStringList words() const;                                ///< of badge and legends, as they are painted
+    std::optional<geometry::Measurement> measurement() const; ///< of the shape wanted
+
+    render::CameraState cameraState() const;
+
     /// Camera direction, place, zoom and kind of projection. restoreCamera() returns false for foreign bytes.
     QByteArray saveCamera() const;
     bool restoreCamera(const QByteArray& bytes);
@@ -93,7 +125,8 @@ signals:
     void loopHovered(int loop);   ///< -1: left the yarn
     void dragMoved(int entry, QVector3D pointMm); ///< entry of the bonding point table
     void dragEnded();
-    void glFailed(QString reason); ///< once; a sentence for the user
+    void measured(double millimetres); ///< both ends of the tape are set
+    void glFailed(QString reason);     ///< once; a sentence for the user
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

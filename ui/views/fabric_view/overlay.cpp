@@ -33,7 +33,8 @@ double scaleBarMm(double millimetresPerPixel, double mostPixels) {
     return most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
 }
 
-Overlay::Overlay(QWidget* parent, const CanvasContent& content) : QWidget(parent), m_content(content) {
+Overlay::Overlay(QWidget* parent, const CanvasContent& content, const Annotations& annotations)
+    : QWidget(parent), m_content(content), m_annotations(annotations) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAttribute(Qt::WA_NoSystemBackground);
     setFocusPolicy(Qt::NoFocus);
@@ -46,25 +47,45 @@ void Overlay::setMessage(const QString& message) {
 
 QString Overlay::sideText() const {
     const float facing = m_content.camera.towardsViewer().z();
-    return facing > kSeenFlat ? tr("technical face") : facing < -kSeenFlat ? tr("technical back") : QString();
+    return facing > kSeenFlat    ? tr("technical face")
+           : facing < -kSeenFlat ? tr("technical back")
+                                 : tr("seen from its edge");
 }
 
-QColor Overlay::ink() const {
-    return m_content.dark ? QColor(235, 237, 240) : QColor(32, 36, 42);
-}
-
-QColor Overlay::ground() const {
-    return m_content.dark ? QColor(20, 22, 25, 215) : QColor(255, 255, 255, 215);
+QStringList Overlay::words() const {
+    QStringList words;
+    if (m_annotations.guides) {
+        words << tr("numbered lines: courses and wales");
+    }
+    if (!m_annotations.alone.isEmpty()) {
+        words << m_annotations.alone;
+    }
+    if (m_annotations.taping) {
+        words << (m_annotations.tape.size() == 1 ? tr("tape: click the second point")
+                                                 : tr("tape: click the first point"));
+    }
+    return words;
 }
 
 void Overlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_content.scene) {
+        const OverlayInk colours = overlayInk(m_content.dark);
+        if (m_annotations.guides) {
+            paintGuides(painter, m_content, m_annotations, colours);
+        }
+        if (m_annotations.dimensions) {
+            paintDimensions(painter, size(), m_content, m_annotations, colours);
+        }
+        if (m_annotations.marks) {
+            paintProblems(painter, m_content, m_annotations);
+        }
+        paintTape(painter, m_content, m_annotations, colours);
         paintMark(painter);
-        paintBadge(painter);
+        const int below = paintWords(painter);
         if (m_content.legend && m_content.scene->style == render::DrawStyle::Mesh) {
-            paintLegend(painter);
+            paintLegend(painter, below);
         }
         paintScale(painter);
         paintAxes(painter);
@@ -72,21 +93,24 @@ void Overlay::paintEvent(QPaintEvent*) {
     paintMessage(painter);
 }
 
-void Overlay::paintBadge(QPainter& painter) const {
-    const QString text = sideText();
-    if (text.isEmpty()) {
-        return;
+/// The badge and the words below it; returns where the next thing may begin.
+int Overlay::paintWords(QPainter& painter) const {
+    constexpr int kGap = 6;
+    const int height = fontMetrics().height() + 8;
+    int top = kMargin;
+    for (const QString& text : QStringList(sideText()) + words()) {
+        const QRect box(kMargin, top, fontMetrics().horizontalAdvance(text) + 20, height);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(ground());
+        painter.drawRoundedRect(box, height / 2.0, height / 2.0);
+        painter.setPen(ink());
+        painter.drawText(box, Qt::AlignCenter, text);
+        top += height + kGap;
     }
-    const QSize size = fontMetrics().size(Qt::TextSingleLine, text);
-    const QRect box(kMargin, kMargin, size.width() + 20, size.height() + 8);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(ground());
-    painter.drawRoundedRect(box, box.height() / 2.0, box.height() / 2.0);
-    painter.setPen(ink());
-    painter.drawText(box, Qt::AlignCenter, text);
+    return top;
 }
 
-void Overlay::paintLegend(QPainter& painter) const {
+void Overlay::paintLegend(QPainter& painter, int top) const {
     struct Row {
         render::Marker::Kind kind;
         QString text;
@@ -100,9 +124,7 @@ void Overlay::paintLegend(QPainter& painter) const {
     for (const Row& row : rows) {
         width = std::max(width, fontMetrics().horizontalAdvance(row.text));
     }
-    // Below the badge, which may be missing; so the legend does not jump when the fabric is turned.
-    const QRect box(kMargin, kMargin + fontMetrics().height() + 16, kSymbol + width + 16,
-                    static_cast<int>(rows.size()) * height + 10);
+    const QRect box(kMargin, top + 2, kSymbol + width + 16, static_cast<int>(rows.size()) * height + 10);
     painter.setPen(Qt::NoPen);
     painter.setBrush(ground());
     painter.drawRoundedRect(box, 8, 8);

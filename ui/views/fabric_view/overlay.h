@@ -1,39 +1,44 @@
 #pragma once
 
-#include "ui/views/fabric_view/canvas.h"
+#include "ui/views/fabric_view/annotation_painter.h"
 
+#include <QStringList>
 #include <QWidget>
 
 namespace knittsim::ui {
 
-/// Badge of the side that is seen, legend of the mesh, scale bar, axes and a ring round the selected bonding
-/// point, painted over the picture. Lets all events through.
+/// Badge of the side that is seen and words beside it, legend of the mesh, scale bar, axes, a ring round the
+/// selected bonding point and the annotations, painted over the picture. Lets all events through.
 class Overlay : public QWidget {
     Q_OBJECT
 
 public:
-    Overlay(QWidget* parent, const CanvasContent& content);
+    Overlay(QWidget* parent, const CanvasContent& content, const Annotations& annotations);
 
     /// Shown in the middle while there is nothing to see, and as a note above the scale bar.
     void setMessage(const QString& message);
 
-    /// "technical face", "technical back", or empty when the fabric is seen from the side.
+    /// "technical face", "technical back", or that the fabric is seen from its edge.
     QString sideText() const;
+
+    /// What the annotations say in words: what the lines are, what is shown alone, how to measure.
+    QStringList words() const;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    void paintBadge(QPainter& painter) const;
-    void paintLegend(QPainter& painter) const;
+    int paintWords(QPainter& painter) const;
+    void paintLegend(QPainter& painter, int top) const;
     void paintMark(QPainter& painter) const;
     void paintScale(QPainter& painter) const;
     void paintAxes(QPainter& painter) const;
     void paintMessage(QPainter& painter) const;
-    QColor ink() const;
-    QColor ground() const;
+    QColor ink() const { return overlayInk(m_content.dark).ink; }
+    QColor ground() const { return overlayInk(m_content.dark).ground; }
 
     const CanvasContent& m_content;
+    const Annotations& m_annotations;
     QString m_message;
 };
 
