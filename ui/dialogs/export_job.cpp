@@ -37,6 +37,8 @@ Result<Written> writePicture(const ExportJob& job, const Progress& progress) {
         request.side = render::ViewSide::Back;
         break;
     }
+    request.section = job.source.section;
+    request.keep = job.source.keep;
     request.width = job.width;
     request.height = job.height;
     request.dark = job.source.dark;

@@ -7,9 +7,11 @@
 #include "core/yarn/yarn.h"
 #include "ui/render/camera.h"
 #include "ui/render/look.h"
+#include "ui/render/section.h"
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace knittsim::ui {
@@ -22,6 +24,8 @@ struct ExportSource {
     std::vector<yarn::Yarn> yarns;                      ///< by carrier
     render::DrawStyle style = render::DrawStyle::Yarn;
     render::CameraState camera;
+    std::optional<render::Section> section;
+    std::vector<bool> keep; ///< by bonding point: what pictures show; empty: all
     bool dark = false;
 };
 

@@ -44,6 +44,7 @@ void addMouse(QTreeWidget* list) {
         {KeyDialog::tr("Turn the fabric"), KeyDialog::tr("left drag")},
         {KeyDialog::tr("Move the fabric"), KeyDialog::tr("middle drag, or Shift and left drag")},
         {KeyDialog::tr("Zoom at the cursor"), KeyDialog::tr("wheel; in the pattern grid Ctrl and wheel")},
+        {KeyDialog::tr("Move the section"), KeyDialog::tr("Alt and wheel")},
         {KeyDialog::tr("Select a stitch"), KeyDialog::tr("click in fabric, grid or source")},
         {KeyDialog::tr("Pull the yarn"), KeyDialog::tr("Ctrl and left drag on yarn")},
         {KeyDialog::tr("Put a yarn on a carrier"), KeyDialog::tr("drag, or double click in the library")}};

@@ -382,6 +382,8 @@ void MainWindow::exportShown() {
     }
     source.style = m_fabric->style();
     source.camera = m_fabric->cameraState();
+    source.section = m_fabric->section();
+    source.keep = m_fabric->shownPoints();
     source.dark = isDark(palette());
     const QString name = QFileInfo(m_document.file()->request.title).completeBaseName();
     auto* dialog =

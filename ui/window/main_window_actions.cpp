@@ -198,6 +198,7 @@ void MainWindow::buildOverlayMenu(QMenu* view) {
     add("actionDimensions", tr("&Dimensions and gauge"), Qt::ALT | Qt::Key_5, &FabricView::setDimensions);
     add("actionMarks", tr("Signs at &problems"), Qt::ALT | Qt::Key_6, &FabricView::setProblemMarks);
     add("actionGuides", tr("&Lines along courses and wales"), Qt::Key_G, &FabricView::setGuides);
+    add("actionSection", tr("&Section parallel to the picture"), Qt::Key_X, &FabricView::setSection);
     add("actionTape", tr("Measuring &tape"), Qt::Key_M, &FabricView::setTaping);
     menu->addSeparator();
     const auto addAlone = [&](const char* name, const QString& text, const QKeySequence& keys,
@@ -408,6 +409,7 @@ void MainWindow::takeActions() {
         {"actionMarks", m_fabric->hasProblemMarks()},
         {"actionGuides", m_fabric->hasGuides()},
         {"actionTape", m_fabric->isTaping()},
+        {"actionSection", m_fabric->section().has_value()},
         {"actionYarnAlone", m_fabric->alone() == FabricView::Alone::Yarn},
         {"actionCourseAlone", m_fabric->alone() == FabricView::Alone::Course}};
     for (const auto& [name, on] : overlays) {

@@ -22,6 +22,7 @@ struct CanvasContent {
     int selected = -1;         ///< loop
     int hovered = -1;          ///< loop
     std::optional<Vec3f> mark; ///< place of the selected bonding point
+    std::optional<render::Section> section;
     bool dark = false;
     bool legend = true; ///< explain the bare mesh
     double paintMs = 0; ///< told back by the canvas

@@ -44,6 +44,7 @@ void FabricView::setFabric(std::shared_ptr<const fabric::Fabric> fabric,
         return;
     }
     m->alone = Alone::Nothing;
+    m->content.section.reset();
     m->wholeScene.reset();
     m->showParts();
     m->shownFabric.reset();

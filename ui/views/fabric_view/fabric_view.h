@@ -5,6 +5,7 @@
 #include "core/simulation/frame.h"
 #include "ui/render/camera.h"
 #include "ui/render/look.h"
+#include "ui/render/section.h"
 #include "ui/views/fabric_view/annotations.h"
 
 #include <QByteArray>
@@ -91,11 +92,17 @@ public:
     void setTaping(bool on); ///< clicks set the two ends of a measuring tape instead of selecting
     bool isTaping() const;
 
+    /// Cuts away what lies before a plane through the selected stitch, else through the middle of the fabric,
+    /// parallel to the picture. Alt and wheel move it. An empty view forgets it.
+    void setSection(bool on);
+    const std::optional<render::Section>& section() const;
+
     /// Hides all but the yarn or the course of the selected loop, else of the one under the mouse. False, and
     /// nothing changed, where there is none. An empty view forgets it.
     enum class Alone { Nothing, Yarn, Course };
     bool showAlone(Alone what);
     Alone alone() const;
+    std::vector<bool> shownPoints() const; ///< by bonding point of the fabric shown; empty: all
 
     /// What the tool tip says of a loop.
     void setDescriber(std::function<QString(int loop)> describer);

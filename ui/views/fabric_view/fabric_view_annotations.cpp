@@ -55,10 +55,11 @@ void FabricView::Implementation::annotate() {
 void FabricView::Implementation::showParts() {
     content.scene = wholeScene;
     annotations.alone.clear();
+    keep.clear();
     if (alone == Alone::Nothing || !wholeScene || !shownFabric) {
         return;
     }
-    std::vector<bool> keep(shownFabric->points.size(), false);
+    keep.resize(shownFabric->points.size(), false);
     if (alone == Alone::Yarn && static_cast<std::size_t>(aloneIndex) < shownFabric->yarns.size()) {
         const fabric::Yarn& yarn = shownFabric->yarns[static_cast<std::size_t>(aloneIndex)];
         std::fill_n(keep.begin() + yarn.first, yarn.count, true);
@@ -141,6 +142,29 @@ bool FabricView::isTaping() const {
     return m->annotations.taping;
 }
 
+void FabricView::setSection(bool on) {
+    m->content.section.reset();
+    if (on && m->content.scene) {
+        const auto place = m->placeOfLoop(m->content.selected);
+        m->content.section = render::Section{place.value_or(m->content.scene->bounds.centre()),
+                                             m->content.camera.towardsViewer()};
+    }
+    m->overlay->update();
+    m->canvas->refresh();
+}
+const std::optional<render::Section>& FabricView::section() const {
+    return m->content.section;
+}
+
+void FabricView::Implementation::moveSection(double notches) {
+    constexpr float kShare = 0.01F; ///< of the fabric, for a notch
+    render::Section& section = *content.section;
+    section.point +=
+        static_cast<float>(notches) * kShare * content.scene->bounds.size().norm() * section.normal;
+    overlay->update();
+    canvas->refresh();
+}
+
 bool FabricView::showAlone(Alone what) {
     const int loop = m->content.selected >= 0 ? m->content.selected : m->content.hovered;
     if (what != Alone::Nothing && (!m->shownFabric || loop < 0)) {
@@ -166,7 +190,15 @@ void FabricView::setDescriber(std::function<QString(int)> describer) {
 }
 
 QStringList FabricView::words() const {
-    return QStringList(m->overlay->sideText()) + m->overlay->words();
+    QStringList words{m->overlay->sideText()};
+    for (const Overlay::Word& word : m->overlay->words()) {
+        words << word.text;
+    }
+    return words;
+}
+
+std::vector<bool> FabricView::shownPoints() const {
+    return m->keep;
 }
 
 std::optional<geometry::Measurement> FabricView::measurement() const {

@@ -115,7 +115,7 @@ std::optional<geometry::Pick> FabricView::Implementation::pickAt(QPointF where) 
     const render::Camera& camera = content.camera;
     return render::pickScene(*content.scene, *shownFabric,
                              camera.rayAt(static_cast<float>(where.x()), static_cast<float>(where.y())),
-                             kPickPixels * camera.millimetresPerPixel());
+                             kPickPixels * camera.millimetresPerPixel(), content.section);
 }
 
 void FabricView::Implementation::hover(int loop) {

@@ -29,7 +29,8 @@ struct FabricView::Implementation {
     std::vector<LoopProblem> problems; ///< of `fabric`
     std::function<QString(int)> describer;
     Alone alone = Alone::Nothing;
-    int aloneIndex = -1; ///< yarn or course
+    int aloneIndex = -1;    ///< yarn or course
+    std::vector<bool> keep; ///< by bonding point of shownFabric: what is shown; empty: all
     render::DrawStyle style = render::DrawStyle::Yarn;
     std::unique_ptr<Canvas> canvas;
     Overlay* overlay = nullptr;
@@ -65,6 +66,7 @@ struct FabricView::Implementation {
     void showParts();
     std::optional<Vec3f> tapePlaceAt(QPointF where) const;
     void tapeClick(QPointF where);
+    void moveSection(double notches);
     QString describe(int loop) const;
 
     render::SceneWorker worker; // last: it may call back until it is gone

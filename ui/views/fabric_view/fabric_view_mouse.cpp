@@ -94,6 +94,12 @@ void FabricView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void FabricView::wheelEvent(QWheelEvent* event) {
+    // With Alt the wheel turns to the side.
+    if (event->modifiers().testFlag(Qt::AltModifier) && m->content.section && m->content.scene) {
+        m->moveSection((event->angleDelta().x() + event->angleDelta().y()) / 120.0);
+        event->accept();
+        return;
+    }
     const double notches = event->angleDelta().y() / 120.0;
     const QPointF where = event->position();
     m->moveCamera([&](render::Camera& camera) {

@@ -52,17 +52,25 @@ QString Overlay::sideText() const {
                                  : tr("seen from its edge");
 }
 
-QStringList Overlay::words() const {
-    QStringList words;
+std::vector<Overlay::Word> Overlay::words() const {
+    std::vector<Word> words;
     if (m_annotations.guides) {
-        words << tr("numbered lines: courses and wales");
+        const OverlayInk colours = overlayInk(m_content.dark);
+        words.push_back({tr("courses, numbered"), colours.course});
+        words.push_back({tr("wales, numbered"), colours.wale});
+    }
+    if (m_annotations.marks && !m_annotations.problems.empty()) {
+        words.push_back({tr("\u00d7 error, ! warning, i note")});
     }
     if (!m_annotations.alone.isEmpty()) {
-        words << m_annotations.alone;
+        words.push_back({m_annotations.alone});
+    }
+    if (m_content.section) {
+        words.push_back({tr("section: Alt and wheel move it")});
     }
     if (m_annotations.taping) {
-        words << (m_annotations.tape.size() == 1 ? tr("tape: click the second point")
-                                                 : tr("tape: click the first point"));
+        words.push_back({m_annotations.tape.size() == 1 ? tr("tape: click the second point")
+                                                        : tr("tape: click the first point")});
     }
     return words;
 }
@@ -96,15 +104,23 @@ void Overlay::paintEvent(QPaintEvent*) {
 /// The badge and the words below it; returns where the next thing may begin.
 int Overlay::paintWords(QPainter& painter) const {
     constexpr int kGap = 6;
+    constexpr int kSample = 24;
     const int height = fontMetrics().height() + 8;
     int top = kMargin;
-    for (const QString& text : QStringList(sideText()) + words()) {
-        const QRect box(kMargin, top, fontMetrics().horizontalAdvance(text) + 20, height);
+    std::vector<Word> all = words();
+    all.insert(all.begin(), {sideText()});
+    for (const Word& word : all) {
+        const int sample = word.sample.isValid() ? kSample : 0;
+        const QRect box(kMargin, top, fontMetrics().horizontalAdvance(word.text) + 20 + sample, height);
         painter.setPen(Qt::NoPen);
         painter.setBrush(ground());
         painter.drawRoundedRect(box, height / 2.0, height / 2.0);
+        if (sample > 0) {
+            painter.setPen(QPen(word.sample, 2));
+            painter.drawLine(box.left() + 10, box.center().y(), box.left() + sample + 2, box.center().y());
+        }
         painter.setPen(ink());
-        painter.drawText(box, Qt::AlignCenter, text);
+        painter.drawText(box.adjusted(sample, 0, 0, 0), Qt::AlignCenter, word.text);
         top += height + kGap;
     }
     return top;

@@ -2,8 +2,9 @@
 
 #include "ui/views/fabric_view/annotation_painter.h"
 
-#include <QStringList>
 #include <QWidget>
+
+#include <vector>
 
 namespace knittsim::ui {
 
@@ -21,8 +22,13 @@ public:
     /// "technical face", "technical back", or that the fabric is seen from its edge.
     QString sideText() const;
 
-    /// What the annotations say in words: what the lines are, what is shown alone, how to measure.
-    QStringList words() const;
+    /// What the annotations say in words: what lines and signs are, what is shown alone, how to measure. With
+    /// a line of `sample`, where that is valid.
+    struct Word {
+        QString text;
+        QColor sample{};
+    };
+    std::vector<Word> words() const;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
