@@ -1,9 +1,7 @@
 #include "ui/window/main_window.h"
 
 #include "core/pattern/samples.h"
-#include "ui/dialogs/export_dialog.h"
 #include "ui/document/message_text.h"
-#include "ui/document/operation_text.h"
 #include "ui/views/diagnostics/diagnostics_panel.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/history/history_card.h"
@@ -26,7 +24,6 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLocale>
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -266,39 +263,6 @@ void MainWindow::takeFabric() {
     m_fabric->setSelectedPoint(m_document.selectedPoint());
 }
 
-/// Signs at the loops that the operations with problems made.
-void MainWindow::markProblems() {
-    std::vector<LoopProblem> marks;
-    const auto fabric = m_document.shownFabric();
-    if (fabric && !m_document.failedFile()) {
-        const auto& loops = fabric->made.loops;
-        for (const Diagnostic& problem : m_document.problems()) {
-            const auto made =
-                std::ranges::lower_bound(loops, problem.place.operation, {}, &machine::Loop::operation);
-            if (problem.place.operation >= 0 && made != loops.end() &&
-                made->operation == problem.place.operation) {
-                marks.push_back({static_cast<int>(made - loops.begin()), problem.severity});
-            }
-        }
-    }
-    m_fabric->setProblems(std::move(marks));
-}
-
-QString MainWindow::describeLoop(int loop) const {
-    const auto file = m_document.file();
-    const auto& loops = file->timeline->loops();
-    if (static_cast<std::size_t>(loop) >= loops.loops.size()) {
-        return {};
-    }
-    const machine::Loop& made = loops.loops[static_cast<std::size_t>(loop)];
-    const auto& carriers = m_document.carriers();
-    return document::stitchText(file->timeline->program(), loops, *file->grid, loop) + u'\n' +
-           tr("%1, %2 mm of yarn in the loop")
-               .arg(made.carrier < carriers.size() ? QString::fromStdString(carriers[made.carrier].yarn.name)
-                                                   : QString(),
-                    QLocale().toString(made.lengthMm, 'f', 2));
-}
-
 void MainWindow::takeProblems() {
     const Diagnostics& found = m_document.problems();
     const auto notes = std::ranges::count(found, Severity::Info, &Diagnostic::severity);
@@ -362,38 +326,6 @@ void MainWindow::chooseFile() {
     if (!path.isEmpty()) {
         openFile(path);
     }
-}
-
-void MainWindow::exportShown() {
-    ExportSource source;
-    source.fabric = m_document.shownFabric();
-    if (!source.fabric) {
-        return;
-    }
-    const auto yarn = m_document.yarnRun().shape();
-    if (yarn && yarn->fabric == source.fabric) {
-        source.curves = yarn->curves;
-        source.places = yarn->places;
-    } else if (const auto frame = m_document.shownFrame()) {
-        source.places = frame->positions;
-    }
-    for (const document::CarrierYarn& carrier : m_document.carriers()) {
-        source.yarns.push_back(carrier.yarn);
-    }
-    source.style = m_fabric->style();
-    source.camera = m_fabric->cameraState();
-    source.section = m_fabric->section();
-    source.keep = m_fabric->shownPoints();
-    source.dark = isDark(palette());
-    const QString name = QFileInfo(m_document.file()->request.title).completeBaseName();
-    auto* dialog =
-        new ExportDialog(std::move(source), m_session.lastFolder() + u'/' + name, m_fabric->size(), this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &ExportDialog::written, this, [this](const QString& path) {
-        m_session.setLastFolder(QFileInfo(path).absolutePath());
-        statusBar()->showMessage(tr("Written to %1").arg(path), 5000);
-    });
-    dialog->open();
 }
 
 void MainWindow::setAppearance(document::Appearance appearance) {

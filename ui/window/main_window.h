@@ -62,14 +62,11 @@ private:
     void takeFabric();
     void takeYarnRun();
     void takeProblems();
-    void markProblems();
-    QString describeLoop(int loop) const;
     void showPlace(const Diagnostic& problem);
     void showLine(int line);
     void showWorkspace();
     void showGallery();
     void chooseFile();
-    void exportShown();
     void setAppearance(document::Appearance appearance);
 
     // main_window_actions.cpp
@@ -82,7 +79,6 @@ private:
     void buildFileMenu();
     void buildEditMenu();
     void buildViewMenu();
-    void buildOverlayMenu(QMenu* view);
     void buildMachineMenu();
     void buildSimulateMenu();
     void buildWindowMenu();
@@ -90,6 +86,12 @@ private:
     void buildToolBar();
     void takeRecentFiles();
     void takeActions();
+
+    // main_window_fabric.cpp: what is written over the fabric, and what of it leaves the program
+    void buildOverlayMenu(QMenu* view);
+    void markProblems();
+    QString describeLoop(int loop) const;
+    void exportShown();
 
     // main_window_docks.cpp
     void buildDocks();

@@ -20,7 +20,6 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMenuBar>
-#include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -185,35 +184,6 @@ void MainWindow::buildViewMenu() {
     }
     QAction* full = addChoice(menu, nullptr, "actionFullScreen", tr("F&ull screen"), Qt::Key_F11, {}, [] {});
     connect(full, &QAction::toggled, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
-}
-
-void MainWindow::buildOverlayMenu(QMenu* view) {
-    QMenu* menu = view->addMenu(tr("&Overlays"));
-    menu->setObjectName(QStringLiteral("overlayMenu"));
-    const auto add = [&](const char* name, const QString& text, const QKeySequence& keys, auto set) {
-        QAction* action = addChoice(menu, nullptr, name, text, keys, {}, [] {});
-        connect(action, &QAction::toggled, this, [this, set](bool on) { (m_fabric->*set)(on); });
-    };
-    add("actionLegend", tr("Legend of the &mesh"), Qt::ALT | Qt::Key_4, &FabricView::setLegend);
-    add("actionDimensions", tr("&Dimensions and gauge"), Qt::ALT | Qt::Key_5, &FabricView::setDimensions);
-    add("actionMarks", tr("Signs at &problems"), Qt::ALT | Qt::Key_6, &FabricView::setProblemMarks);
-    add("actionGuides", tr("&Lines along courses and wales"), Qt::Key_G, &FabricView::setGuides);
-    add("actionSection", tr("&Section parallel to the picture"), Qt::Key_X, &FabricView::setSection);
-    add("actionTape", tr("Measuring &tape"), Qt::Key_M, &FabricView::setTaping);
-    menu->addSeparator();
-    const auto addAlone = [&](const char* name, const QString& text, const QKeySequence& keys,
-                              FabricView::Alone what) {
-        QAction* action = addChoice(menu, nullptr, name, text, keys, {}, [this, what] {
-            const bool again = m_fabric->alone() == what;
-            if (!m_fabric->showAlone(again ? FabricView::Alone::Nothing : what)) {
-                statusBar()->showMessage(tr("Select a stitch first, or point at one"), 5000);
-            }
-            takeActions();
-        });
-        action->setToolTip(tr("%1: hides all but that of the selected stitch").arg(action->toolTip()));
-    };
-    addAlone("actionYarnAlone", tr("Only this &yarn"), Qt::Key_I, FabricView::Alone::Yarn);
-    addAlone("actionCourseAlone", tr("Only this &course"), Qt::SHIFT | Qt::Key_I, FabricView::Alone::Course);
 }
 
 void MainWindow::buildMachineMenu() {

@@ -175,7 +175,8 @@ void Overlay::paintScale(QPainter& painter) const {
     const double millimetres = scaleBarMm(perPixel, std::min(kScalePixels, width() / 3.0));
     const double pixels = millimetres / perPixel;
     const double right = width() - kMargin;
-    const double y = height() - kMargin;
+    constexpr int kAboveWidth = 26; // the width of a fabric that fills the view stands below
+    const double y = height() - kMargin - (m_annotations.dimensions ? kAboveWidth : 0);
     const QString text = tr("%1 mm").arg(QLocale().toString(millimetres, 'g', 6));
     painter.setPen(QPen(ink(), 2));
     painter.drawPolyline(
