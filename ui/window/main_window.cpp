@@ -230,7 +230,8 @@ void MainWindow::startSoon() {
     // The eye needs to see the fabric as the machine leaves it, else a small one is at rest before the first
     // picture.
     QTimer::singleShot(kSettleDelayMs, this, [this, file = std::weak_ptr(m_document.file())] {
-        if (file.lock() == m_document.file() && m_document.activity() == document::Activity::Machine) {
+        if (file.lock() == m_document.file() && m_document.activity() == document::Activity::Machine &&
+            !m_document.yarnRun().running()) {
             m_document.start();
         }
     });
