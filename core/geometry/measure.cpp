@@ -27,7 +27,7 @@ struct Mean {
 class Ruler {
 public:
     Ruler(const Fabric& fabric, std::span<const float> positions, const Region& region)
-        : m_fabric(fabric), m_positions(positions), m_region(region), m_wale(numberWales(fabric)) {}
+        : m_fabric(fabric), m_positions(positions), m_region(region), m_wale(waleNumbers(fabric)) {}
 
     Measurement measure() {
         Measurement result;
@@ -54,29 +54,6 @@ public:
     }
 
 private:
-    static std::vector<int> numberWales(const Fabric& fabric) {
-        std::int32_t low = std::numeric_limits<std::int32_t>::max();
-        std::int32_t high = std::numeric_limits<std::int32_t>::min();
-        for (const machine::Loop& loop : fabric.made.loops) {
-            low = std::min(low, loop.needle.index);
-            high = std::max(high, loop.needle.index);
-        }
-        std::vector<int> number(high >= low ? static_cast<std::size_t>(high - low) + 1 : 0, 0);
-        for (const machine::Loop& loop : fabric.made.loops) {
-            number[static_cast<std::size_t>(loop.needle.index - low)] = 1;
-        }
-        int next = 0;
-        for (int& wale : number) {
-            wale = wale == 1 ? next++ : -1;
-        }
-        std::vector<int> waleOfLoop;
-        waleOfLoop.reserve(fabric.made.loops.size());
-        for (const machine::Loop& loop : fabric.made.loops) {
-            waleOfLoop.push_back(number[static_cast<std::size_t>(loop.needle.index - low)]);
-        }
-        return waleOfLoop;
-    }
-
     static void mark(std::vector<char>& seen, int index) {
         const auto i = static_cast<std::size_t>(index);
         if (seen.size() <= i) {
@@ -158,6 +135,29 @@ private:
 };
 
 } // namespace
+
+std::vector<int> waleNumbers(const Fabric& fabric) {
+    std::int32_t low = std::numeric_limits<std::int32_t>::max();
+    std::int32_t high = std::numeric_limits<std::int32_t>::min();
+    for (const machine::Loop& loop : fabric.made.loops) {
+        low = std::min(low, loop.needle.index);
+        high = std::max(high, loop.needle.index);
+    }
+    std::vector<int> number(high >= low ? static_cast<std::size_t>(high - low) + 1 : 0, 0);
+    for (const machine::Loop& loop : fabric.made.loops) {
+        number[static_cast<std::size_t>(loop.needle.index - low)] = 1;
+    }
+    int next = 0;
+    for (int& wale : number) {
+        wale = wale == 1 ? next++ : -1;
+    }
+    std::vector<int> waleOfLoop;
+    waleOfLoop.reserve(fabric.made.loops.size());
+    for (const machine::Loop& loop : fabric.made.loops) {
+        waleOfLoop.push_back(number[static_cast<std::size_t>(loop.needle.index - low)]);
+    }
+    return waleOfLoop;
+}
 
 Measurement measure(const Fabric& fabric, std::span<const float> positions, const Region& region) {
     return Ruler(fabric, positions, region).measure();

@@ -3,6 +3,7 @@
 #include "core/fabric/fabric.h"
 
 #include <span>
+#include <vector>
 
 namespace knittsim::geometry {
 
@@ -27,7 +28,9 @@ struct Measurement {
     double loopLengthMm = 0;    ///< mean yarn of a loop as the machine fed it
 };
 
-/// Wales are the needle numbers that made loops, counted from the left without gaps.
+/// By loop: its wale. Wales are the needle numbers that made loops, counted from the left without gaps.
+std::vector<int> waleNumbers(const fabric::Fabric& fabric);
+
 /// `positions`: 3 per entry, mm.
 Measurement measure(const fabric::Fabric& fabric, std::span<const float> positions,
                     const Region& region = {});

@@ -11,7 +11,9 @@ void main() {
     float length2 = dot(across, across);
     vAcross = length2 > 1e-6 ? across * inversesqrt(length2) : node.reference;
     vDepth = node.height + 0.35;
-    vec4 seen = uView * vec4(node.place + vSide * uRadius * vAcross, 1.0);
+    vec4 place = vec4(node.place + vSide * uRadius * vAcross, 1.0);
+    gl_ClipDistance[0] = dot(uCut, place);
+    vec4 seen = uView * place;
     vViewZ = seen.z;
     gl_Position = uProjection * seen;
 }

@@ -5,6 +5,7 @@ layout(location = 3) in vec3 aBehind;
 
 uniform mat4 uView;
 uniform mat4 uProjection;
+uniform vec4 uCut;           // what lies where its product with a place is negative is cut away
 uniform vec3 uToViewer;
 uniform float uSize;         // pixels
 uniform float uLift;         // mm towards the viewer, so that lines end below the marker
@@ -15,6 +16,7 @@ flat out float vPixels;
 
 void main() {
     vKind = aKind;
+    gl_ClipDistance[0] = dot(uCut, vec4(aPlace, 1.0));
     vec4 place = uView * vec4(aPlace, 1.0);
     place.z += uLift;
     gl_Position = uProjection * place;

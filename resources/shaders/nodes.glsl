@@ -7,6 +7,7 @@ uniform usamplerBuffer uOwner;     // bonding point
 uniform usamplerBuffer uState;     // by bonding point: 0 plain, 1 selected, 2 hovered
 uniform mat4 uView;
 uniform mat4 uProjection;
+uniform vec4 uCut;                 // what lies where its product with a place is negative is cut away
 uniform vec4 uViewer;              // eye (w = 1) or direction to a viewer far away (w = 0)
 uniform float uRadius;             // mm
 uniform bool uAnyState;

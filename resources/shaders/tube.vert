@@ -26,5 +26,7 @@ void main() {
     // Inside a bend narrower than the yarn the tube would fold over itself.
     radius = min(radius, 0.92 / max(dot(vOutwards, node.bend), 1e-6));
     if (node.isEnd) radius *= 0.3;
-    gl_Position = uProjection * (uView * vec4(node.place + radius * vOutwards, 1.0));
+    vec4 place = vec4(node.place + radius * vOutwards, 1.0);
+    gl_ClipDistance[0] = dot(uCut, place);
+    gl_Position = uProjection * (uView * place);
 }

@@ -202,6 +202,26 @@ TEST_F(Pictures, frontAndBackShowTheYarnInItsColour) {
     }
 }
 
+TEST_F(Pictures, oneCourseAlone) {
+    const auto fabric = knit("ffffff", 6);
+    for (const fabric::BondingPoint& point : fabric.points) {
+        m_request.keep.push_back(fabric.loops[static_cast<std::size_t>(point.loop)].course == 3);
+    }
+    expectPicture("one-course", fabric, test::relaxedLattice(fabric, kLoopMm));
+}
+
+TEST_F(Pictures, sectionAcrossTheWales) {
+    const auto fabric = knit("ffffff", 6);
+    const auto positions = test::relaxedLattice(fabric, kLoopMm);
+    m_request.side = ViewSide::Top;
+    float height = 0;
+    for (std::size_t e = 1; e < positions.size(); e += 3) {
+        height = std::max(height, positions[e]);
+    }
+    m_request.section = Section{{0, 0.45F * height, 0}, Vec3f::UnitY()};
+    expectPicture("section", fabric, positions);
+}
+
 TEST_F(Pictures, partsMakeTheSamePicture) {
     const auto fabric = cable();
     m_request.fabric = &fabric;

@@ -25,12 +25,26 @@ QTreeWidgetItem* addGroup(QTreeWidget* list, const QString& title) {
     return group;
 }
 
+/// Of a menu and the menus in it.
+QList<QAction*> actionsWithKeys(const QMenu* menu) {
+    QList<QAction*> found;
+    for (QAction* action : menu ? menu->actions() : QList<QAction*>()) {
+        if (action->menu()) {
+            found += actionsWithKeys(action->menu());
+        } else if (!action->shortcut().isEmpty()) {
+            found << action;
+        }
+    }
+    return found;
+}
+
 void addMouse(QTreeWidget* list) {
     QTreeWidgetItem* group = addGroup(list, KeyDialog::tr("Mouse"));
     const std::initializer_list<std::pair<QString, QString>> uses{
         {KeyDialog::tr("Turn the fabric"), KeyDialog::tr("left drag")},
         {KeyDialog::tr("Move the fabric"), KeyDialog::tr("middle drag, or Shift and left drag")},
         {KeyDialog::tr("Zoom at the cursor"), KeyDialog::tr("wheel; in the pattern grid Ctrl and wheel")},
+        {KeyDialog::tr("Move the section"), KeyDialog::tr("Alt and wheel")},
         {KeyDialog::tr("Select a stitch"), KeyDialog::tr("click in fabric, grid or source")},
         {KeyDialog::tr("Pull the yarn"), KeyDialog::tr("Ctrl and left drag on yarn")},
         {KeyDialog::tr("Put a yarn on a carrier"), KeyDialog::tr("drag, or double click in the library")}};
@@ -51,10 +65,7 @@ KeyDialog::KeyDialog(const QMenuBar* menus, QWidget* parent) : QDialog(parent) {
     list->setAlternatingRowColors(true);
     for (const QAction* entry : menus->actions()) {
         QTreeWidgetItem* group = nullptr;
-        for (const QAction* action : entry->menu() ? entry->menu()->actions() : QList<QAction*>()) {
-            if (action->shortcut().isEmpty()) {
-                continue;
-            }
+        for (const QAction* action : actionsWithKeys(entry->menu())) {
             group = group ? group : addGroup(list, plain(entry->text()));
             new QTreeWidgetItem(
                 group, {plain(action->text()), action->shortcut().toString(QKeySequence::NativeText)});

@@ -250,11 +250,15 @@ void FabricRenderer::draw(const View& view) {
     if (m->frame) {
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LESS);
+        if (view.section) {
+            glEnable(GL_CLIP_DISTANCE0);
+        }
         m->drawYarns(view);
         if (!m->frame->markers.empty()) {
             m->drawMarkers(view);
         }
         glDisable(GL_DEPTH_TEST);
+        glDisable(GL_CLIP_DISTANCE0);
     }
     glBindVertexArray(0);
     glUseProgram(0);
@@ -330,7 +334,9 @@ void FabricRenderer::Implementation::drawCarrier(const View& view, const Frustum
     const auto pieces = static_cast<GLsizei>(counts.size());
     if (detail.sides > 0) {
         glBindVertexArray(tubes.array());
-        glEnable(GL_CULL_FACE);
+        if (!view.section) { // which shows the inside of cut yarn
+            glEnable(GL_CULL_FACE);
+        }
         glMultiDrawElements(GL_TRIANGLE_STRIP, counts.data(), GL_UNSIGNED_INT, offsets.data(), pieces);
         glDisable(GL_CULL_FACE);
     } else {
@@ -373,6 +379,8 @@ void FabricRenderer::Implementation::setCamera(const ShaderProgram& program, con
     const bool far = view.camera.state().orthographic;
     const Vec3f viewer = far ? view.camera.towardsViewer() : view.camera.eye();
     program.set("uViewer", Eigen::Vector4f(viewer.x(), viewer.y(), viewer.z(), far ? 0.0F : 1.0F));
+    // Some drivers look at the distance even where clipping is off.
+    program.set("uCut", view.section ? view.section->plane() : Eigen::Vector4f(0, 0, 0, 1));
     const Vec3f glow = accent(view.dark);
     program.set("uAccent",
                 &program == shaders.line.get() || frame->style == DrawStyle::Strokes ? glow : linear(glow));

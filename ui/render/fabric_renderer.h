@@ -4,8 +4,10 @@
 #include "ui/render/camera.h"
 #include "ui/render/fabric_scene.h"
 #include "ui/render/look.h"
+#include "ui/render/section.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +25,7 @@ struct View {
     int left = 0; ///< pixel of the picture at the framebuffer's lower left corner, which may be smaller
     int bottom = 0;
     Quality quality = Quality::Fast;
+    std::optional<Section> section{};
     bool dark = false;
     bool transparent = false; ///< clear to nothing instead of painting a background
 };

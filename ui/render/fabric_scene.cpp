@@ -1,6 +1,7 @@
 #include "ui/render/fabric_scene.h"
 
 #include "core/geometry/yarn_frame.h"
+#include "ui/render/scene_chunks.h"
 
 #include <Eigen/Geometry>
 
@@ -13,17 +14,7 @@ namespace knittsim::render {
 namespace {
 
 constexpr int kMostRounds = 8;
-constexpr float kPull = 0.2F;             ///< of the fabric's normal on the direction across a yarn
-constexpr std::int32_t kChunkNodes = 128; // a multiple of kMostStride
-
-/// Between two yarns; shaders know it by its arc length.
-constexpr std::array<float, 4> kNoNode{0, 0, 0, -1};
-
-/// First place from `node` on that every stride meets.
-std::int32_t aligned(std::int32_t node) {
-    return (node + kMostStride - 1) / kMostStride * kMostStride;
-}
-
+constexpr float kPull = 0.2F; ///< of the fabric's normal on the direction across a yarn
 std::uint32_t quantise(float value, float low, float high, std::uint32_t steps) {
     const float t = std::clamp((value - low) / (high - low), 0.0F, 1.0F);
     return static_cast<std::uint32_t>(t * static_cast<float>(steps) + 0.5F);
@@ -145,7 +136,7 @@ void FabricScene::layOut(SceneTopology& topology, std::span<const geometry::Yarn
                          std::span<const fabric::PointIndex> pointOfNode) {
     std::int32_t node = 0;
     for (const geometry::YarnCurves::Range& yarn : yarns) {
-        node = aligned(node);
+        node = alignedNode(node);
         topology.yarns.push_back({node, yarn.count, yarn.carrier});
         topology.owner.resize(static_cast<std::size_t>(node), 0);
         const auto points =
@@ -233,32 +224,6 @@ void FabricScene::fillCurves(SceneFrame& frame, const geometry::YarnCurves& curv
         }
     }
     addChunks(frame);
-}
-
-void FabricScene::addChunks(SceneFrame& frame) const {
-    double arc = 0;
-    const auto placeOf = [&](std::int32_t n) {
-        return Vec3f::Map(frame.nodes[static_cast<std::size_t>(n)].data());
-    };
-    for (const geometry::YarnCurves::Range& yarn : frame.topology->yarns) {
-        const std::int32_t last = yarn.first + yarn.count - 1;
-        arc += static_cast<double>(frame.nodes[static_cast<std::size_t>(last)][3]);
-        for (std::int32_t first = yarn.first; first < last; first += kChunkNodes) {
-            Chunk chunk{first, std::min(kChunkNodes + 1, last - first + 1), yarn.carrier, {}, 0};
-            geometry::Bounds box;
-            for (std::int32_t n = first; n < first + chunk.count; ++n) {
-                box.add(placeOf(n));
-            }
-            chunk.centre = box.centre();
-            chunk.reach = 0.5F * box.size().norm();
-            const float radius = 0.5F * frame.diameters[yarn.carrier];
-            frame.bounds.add(box.low.array() - radius);
-            frame.bounds.add(box.high.array() + radius);
-            frame.chunks.push_back(chunk);
-        }
-    }
-    frame.segmentMm =
-        static_cast<float>(arc / static_cast<double>(std::max<std::size_t>(1, frame.nodes.size())));
 }
 
 void FabricScene::fillMesh(SceneFrame& frame, std::span<const float> positions) const {

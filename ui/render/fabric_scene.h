@@ -100,7 +100,6 @@ private:
                        std::span<const fabric::PointIndex> pointOfNode);
     std::shared_ptr<SceneFrame> emptyFrame() const;
     void fillCurves(SceneFrame& frame, const geometry::YarnCurves& curves) const;
-    void addChunks(SceneFrame& frame) const;
     static void addValues(SceneFrame& frame, std::span<const float> values, bool byPoint);
     void fillMesh(SceneFrame& frame, std::span<const float> positions) const;
     void addMarkers(SceneFrame& frame, std::span<const float> positions) const;

@@ -3,6 +3,7 @@
 #include "ui/render/egl_context.h"
 #include "ui/render/fabric_renderer.h"
 #include "ui/render/frame_target.h"
+#include "ui/render/scene_chunks.h"
 
 #include <fmt/format.h>
 
@@ -18,6 +19,7 @@ View viewOf(const RenderRequest& request, const geometry::Bounds& bounds) {
     view.width = request.width;
     view.height = request.height;
     view.quality = Quality::Best;
+    view.section = request.section;
     view.dark = request.dark;
     view.transparent = request.transparent;
     view.camera.setViewport(request.width, request.height);
@@ -96,8 +98,11 @@ Result<Image> renderFabric(const RenderRequest& request) {
     FabricScene scene(fabric, request.looks, request.style, samplesOf(request));
     while (request.curves == nullptr && scene.improve()) {
     }
-    const auto frame = request.curves != nullptr ? scene.prepareCurves(*request.curves, request.values)
-                                                 : scene.prepare(request.positions, request.values);
+    auto frame = request.curves != nullptr ? scene.prepareCurves(*request.curves, request.values)
+                                           : scene.prepare(request.positions, request.values);
+    if (!request.keep.empty()) {
+        frame = isolated(*frame, *fabric, request.keep);
+    }
     if (!renderer.value()->upload(frame)) {
         return Diagnostic{.id = "KS0404",
                           .place = {},

@@ -6,6 +6,7 @@
 #include "ui/render/camera.h"
 #include "ui/render/image.h"
 #include "ui/render/look.h"
+#include "ui/render/section.h"
 
 #include <optional>
 #include <span>
@@ -25,6 +26,8 @@ struct RenderRequest {
     ViewSide side = ViewSide::Front;
     std::optional<CameraState> camera; ///< instead of `side` and fitting the whole fabric
     std::vector<machine::LoopIndex> selection;
+    std::optional<Section> section{};
+    std::vector<bool> keep; ///< by bonding point: what is drawn; empty: all
     int width = 1280;
     int height = 800;
     bool dark = false;        ///< background

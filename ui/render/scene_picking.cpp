@@ -43,7 +43,8 @@ fabric::PointIndex nearestPoint(const SceneFrame& frame, const geometry::YarnCur
 } // namespace
 
 std::optional<geometry::Pick> pickScene(const SceneFrame& frame, const fabric::Fabric& fabric,
-                                        const geometry::Ray& ray, float tolerance) {
+                                        const geometry::Ray& ray, float tolerance,
+                                        const std::optional<Section>& section) {
     std::optional<Hit> best;
     for (const Chunk& chunk : frame.chunks) {
         const float yarnRadius = frame.style == DrawStyle::Mesh ? 0 : 0.5F * frame.diameters[chunk.carrier];
@@ -54,7 +55,8 @@ std::optional<geometry::Pick> pickScene(const SceneFrame& frame, const fabric::F
         const auto first = static_cast<std::size_t>(chunk.firstNode);
         for (std::size_t n = first; n + 1 < first + static_cast<std::size_t>(chunk.count); ++n) {
             const auto hit = geometry::meetSegment(ray, placeOf(frame, n), placeOf(frame, n + 1), radius);
-            if (hit && (!best || hit->depth < best->segment.depth)) {
+            const bool cut = hit && section && section->cuts(ray.origin + hit->depth * ray.direction);
+            if (hit && !cut && (!best || hit->depth < best->segment.depth)) {
                 best = Hit{&chunk, n, *hit};
             }
         }

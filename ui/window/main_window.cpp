@@ -25,10 +25,8 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMimeData>
-#include <QPointer>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QThreadPool>
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -193,6 +191,10 @@ void MainWindow::connectFabric() {
         m_document.drag(point, {place.x(), place.y(), place.z()});
     });
     connect(m_fabric, &FabricView::dragEnded, &m_document, &Document::releaseDrag);
+    m_fabric->setDescriber([this](int loop) { return describeLoop(loop); });
+    connect(m_fabric, &FabricView::measured, this, [this](double millimetres) {
+        statusBar()->showMessage(tr("Tape: %1").arg(lengthText(millimetres)), 10000);
+    });
     connect(m_fabric, &FabricView::glFailed, this,
             [this](const QString& reason) { m_banner->showMessage(Banner::Kind::Note, reason); });
 }
@@ -263,6 +265,7 @@ void MainWindow::takeFabric() {
     if (const auto frame = m_document.shownFrame()) {
         m_fabric->setFrame(frame);
     }
+    markProblems();
     const int loop = m_document.selection().loop;
     const auto fabric = m_document.shownFabric();
     m_fabric->setSelection(fabric && loop < static_cast<int>(fabric->loops.size()) ? loop : -1);
@@ -274,18 +277,9 @@ void MainWindow::takeProblems() {
     const auto notes = std::ranges::count(found, Severity::Info, &Diagnostic::severity);
     const auto count = static_cast<std::ptrdiff_t>(found.size()) - notes;
     m_problemDock->setVisible(count > 0); // notes alone do not push themselves forward
+    markProblems();
     m_problemDock->setWindowTitle(count > 0 ? tr("Problems (%1)").arg(count) : tr("Problems"));
-    takeFlags();
     takeActions();
-}
-
-void MainWindow::takeFlags() {
-    const Accents accents = accentsOf(palette());
-    std::vector<std::pair<int, QColor>> flags;
-    for (const auto& [loop, problem] : m_document.problemMarks()) {
-        flags.emplace_back(loop, problem.severity == Severity::Error ? accents.error : accents.warning);
-    }
-    m_fabric->setFlags(std::move(flags));
 }
 
 void MainWindow::showPlace(const Diagnostic& problem) {
@@ -343,29 +337,6 @@ void MainWindow::chooseFile() {
     }
 }
 
-void MainWindow::exportPicture() {
-    const QString start = m_session.lastFolder() + u'/' +
-                          QFileInfo(m_document.file()->request.title).baseName() + QStringLiteral(".png");
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Export the picture"), start, tr("Pictures (*.png)"));
-    if (path.isEmpty()) {
-        return;
-    }
-    m_session.setLastFolder(QFileInfo(path).absolutePath());
-    QThreadPool::globalInstance()->start(
-        [picture = m_fabric->picture(), path, window = QPointer<MainWindow>(this)] {
-            const bool saved = picture.save(path);
-            QMetaObject::invokeMethod(qApp, [saved, path, window] {
-                if (window && !saved) {
-                    window->m_banner->showMessage(Banner::Kind::Error,
-                                                  tr("The picture cannot be written to %1.").arg(path));
-                } else if (window) {
-                    window->statusBar()->showMessage(tr("Picture written to %1").arg(path), 5000);
-                }
-            });
-        });
-}
-
 void MainWindow::setAppearance(document::Appearance appearance) {
     m_session.setAppearance(appearance);
     applyAppearance(*qApp, appearance);
@@ -374,7 +345,6 @@ void MainWindow::setAppearance(document::Appearance appearance) {
 void MainWindow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange && m_fabric) {
         m_fabric->setDark(isDark(palette()));
-        takeFlags();
     }
     QMainWindow::changeEvent(event);
 }

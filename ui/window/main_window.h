@@ -68,13 +68,11 @@ private:
     void takeFabric();
     void takeYarnRun();
     void takeProblems();
-    void takeFlags();
     void showPlace(const Diagnostic& problem);
     void showLine(int line);
     void showWorkspace();
     void showGallery();
     void chooseFile();
-    void exportPicture();
     void setAppearance(document::Appearance appearance);
 
     // main_window_chart.cpp
@@ -106,6 +104,12 @@ private:
     void buildToolBar();
     void takeRecentFiles();
     void takeActions();
+
+    // main_window_fabric.cpp: what is written over the fabric, and what of it leaves the program
+    void buildOverlayMenu(QMenu* view);
+    void markProblems();
+    QString describeLoop(int loop) const;
+    void exportShown();
 
     // main_window_docks.cpp
     void buildDocks();

@@ -101,8 +101,8 @@ void MainWindow::buildFileMenu() {
     addAction(menu, "actionExportMachine", tr("Export &machine data\u2026"), QKeySequence(tr("Ctrl+Shift+M")),
               {}, [this] { exportMachineData(); });
     menu->addSeparator();
-    addAction(menu, "actionExportPicture", tr("&Export picture\u2026"), QKeySequence(tr("Ctrl+E")), "picture",
-              [this] { exportPicture(); });
+    addAction(menu, "actionExport", tr("&Export\u2026"), QKeySequence(tr("Ctrl+E")), "picture",
+              [this] { exportShown(); });
     addAction(menu, "actionExportReport", tr("Export &report\u2026"), QKeySequence(tr("Ctrl+Shift+E")), {},
               [this] { chooseReportFile(); });
     menu->addSeparator();
@@ -181,9 +181,6 @@ void MainWindow::buildViewMenu() {
               [this] { m_fabric->setStyle(DrawStyle::Strokes); });
     addChoice(menu, styles, "actionStyleMesh", tr("Bonding points and &mesh"), Qt::ALT | Qt::Key_3,
               "style-mesh", [this] { m_fabric->setStyle(DrawStyle::Mesh); });
-    QAction* legend =
-        addChoice(menu, nullptr, "actionLegend", tr("Legend of the &mesh"), Qt::ALT | Qt::Key_4, {}, [] {});
-    connect(legend, &QAction::toggled, this, [this](bool on) { m_fabric->setLegend(on); });
     auto* colours = new QActionGroup(this);
     colours->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
     QAction* tension =
@@ -199,6 +196,7 @@ void MainWindow::buildViewMenu() {
     QAction* history = addChoice(menu, nullptr, "actionHistory", tr("H&istory of the selected bonding point"),
                                  Qt::Key_H, {}, [] {});
     connect(history, &QAction::toggled, this, [this](bool on) { m_history->setSwitchedOn(on); });
+    buildOverlayMenu(menu);
     menu->addSeparator();
     QMenu* appearance = menu->addMenu(tr("&Appearance"));
     auto* looks = new QActionGroup(this);
@@ -363,7 +361,7 @@ void MainWindow::buildToolBar() {
     samples->setMenu(findChild<QMenu*>(QStringLiteral("sampleMenu")));
     samples->setPopupMode(QToolButton::InstantPopup);
     m_toolBar->addWidget(samples);
-    add({"actionExportPicture"});
+    add({"actionExport"});
     add({"actionUndo", "actionRedo"});
     add({"actionFit", "actionFront", "actionBack", "actionTop", "actionOrthographic"});
     add({"actionStyleYarn", "actionStyleStrokes", "actionStyleMesh"});
@@ -412,9 +410,9 @@ void MainWindow::takeActions() {
             action->setEnabled(open);
         }
     }
-    for (const char* name : {"actionExportPicture", "actionExportMachine", "actionFront", "actionBack",
-                             "actionLeft", "actionRight", "actionTop", "actionBottom", "actionFit",
-                             "actionFitChart", "actionCentre", "actionNearer", "actionFarther"}) {
+    for (const char* name : {"actionExport", "actionExportMachine", "actionFront", "actionBack", "actionLeft",
+                             "actionRight", "actionTop", "actionBottom", "actionFit", "actionFitChart",
+                             "actionCentre", "actionNearer", "actionFarther"}) {
         findChild<QAction*>(QString::fromLatin1(name))->setEnabled(open);
     }
     for (const char* name : {"actionSave", "actionSaveAs"}) {
@@ -438,7 +436,18 @@ void MainWindow::takeActions() {
                         : style == DrawStyle::Strokes ? QStringLiteral("actionStyleStrokes")
                                                       : QStringLiteral("actionStyleMesh"))
         ->setChecked(true);
-    findChild<QAction*>(QStringLiteral("actionLegend"))->setChecked(m_fabric->hasLegend());
+    const std::initializer_list<std::pair<const char*, bool>> overlays{
+        {"actionLegend", m_fabric->hasLegend()},
+        {"actionDimensions", m_fabric->hasDimensions()},
+        {"actionMarks", m_fabric->hasProblemMarks()},
+        {"actionGuides", m_fabric->hasGuides()},
+        {"actionTape", m_fabric->isTaping()},
+        {"actionSection", m_fabric->section().has_value()},
+        {"actionYarnAlone", m_fabric->alone() == FabricView::Alone::Yarn},
+        {"actionCourseAlone", m_fabric->alone() == FabricView::Alone::Course}};
+    for (const auto& [name, on] : overlays) {
+        findChild<QAction*>(QString::fromLatin1(name))->setChecked(on);
+    }
     findChild<QAction*>(QStringLiteral("actionHistory"))->setChecked(m_history->isSwitchedOn());
     findChild<QAction*>(QStringLiteral("actionOrthographic"))->setChecked(m_fabric->isOrthographic());
     const Diagnostics& found = m_document.problems();

@@ -118,7 +118,7 @@ private slots:
         const int row = rowOf("KS0233");
         QVERIFY(row >= 0);
         QVERIFY(document().problemMarks().contains(2));
-        QTRY_COMPARE(child<FabricView>("fabricView")->flagCount(), 1);
+        QTRY_COMPARE(child<FabricView>("fabricView")->problemMarkCount(), 1);
         turn(row);
         QTRY_VERIFY(m_window->findChild<QInputDialog*>("turnOffDialog"));
         auto* dialog = m_window->findChild<QInputDialog*>("turnOffDialog");
@@ -127,7 +127,7 @@ private slots:
         QTRY_COMPARE(rowOf("KS0233"), -1);
         QCOMPARE(list->problemCount(), all - 1);
         QVERIFY2(document().problemMarks().empty(), "a stitch without problem is not marked");
-        QCOMPARE(child<FabricView>("fabricView")->flagCount(), 0);
+        QCOMPARE(child<FabricView>("fabricView")->problemMarkCount(), 0);
 
         QTest::mouseClick(child<QToolButton>("showOff"), Qt::LeftButton);
         const int off = rowOf("KS0233");

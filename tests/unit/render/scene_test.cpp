@@ -6,6 +6,7 @@
 #include "tests/support/lattice.h"
 #include "tests/support/random_program.h"
 #include "ui/render/camera.h"
+#include "ui/render/scene_chunks.h"
 #include "ui/render/scene_picking.h"
 #include "ui/render/scene_worker.h"
 
@@ -55,6 +56,51 @@ TEST(FabricScene, everyYarnBeginsWhereEveryStrideMeetsIt) {
                 << "shaders must see that node " << n << " is none";
         }
     }
+}
+
+TEST(IsolatedScene, keepsTheWantedPointsOnlyAndAllTheRules) {
+    const auto fabric = makeFabric();
+    for (const DrawStyle style : {DrawStyle::Yarn, DrawStyle::Mesh}) {
+        FabricScene scene(fabric, {}, style);
+        const auto whole = scene.prepare({});
+        std::vector<bool> keep;
+        for (const fabric::BondingPoint& point : fabric->points) {
+            keep.push_back(fabric->loops[static_cast<std::size_t>(point.loop)].course == 1);
+        }
+        const auto part = isolated(*whole, *fabric, keep);
+        EXPECT_EQ(part->bounds.low, whole->bounds.low);
+        EXPECT_EQ(part->nodes.size(), part->topology->owner.size());
+        EXPECT_EQ(part->surface.size(), part->nodes.size());
+        EXPECT_EQ(part->topology->pointCount, fabric->points.size());
+        std::size_t nodes = 0;
+        std::size_t strange = 0; // the end of each run belongs to the next point
+        for (const geometry::YarnCurves::Range& yarn : part->topology->yarns) {
+            EXPECT_EQ(yarn.first % kMostStride, 0);
+            EXPECT_LT(part->nodes[static_cast<std::size_t>(yarn.first) - 1][3], 0) << "a gap before each run";
+            for (std::int32_t n = yarn.first; n < yarn.first + yarn.count; ++n) {
+                ++nodes;
+                strange += keep[part->topology->owner[static_cast<std::size_t>(n)]] ? 0U : 1U;
+            }
+        }
+        std::size_t wanted = 0;
+        for (const geometry::YarnCurves::Range& yarn : whole->topology->yarns) {
+            for (std::int32_t n = yarn.first; n < yarn.first + yarn.count; ++n) {
+                wanted += keep[whole->topology->owner[static_cast<std::size_t>(n)]] ? 1U : 0U;
+            }
+        }
+        EXPECT_GT(wanted, 0U);
+        EXPECT_EQ(nodes, wanted + strange);
+        EXPECT_LE(strange, part->topology->yarns.size());
+        EXPECT_LT(part->markers.size(), std::max<std::size_t>(1, whole->markers.size()));
+    }
+}
+
+TEST(IsolatedScene, ofNothingIsEmpty) {
+    const auto fabric = makeFabric();
+    FabricScene scene(fabric, {}, DrawStyle::Yarn);
+    const auto part = isolated(*scene.prepare({}), *fabric, std::vector<bool>(fabric->points.size(), false));
+    EXPECT_TRUE(part->nodes.empty());
+    EXPECT_TRUE(part->chunks.empty());
 }
 
 TEST(FabricScene, improvingPutsTheRightStrandInFront) {

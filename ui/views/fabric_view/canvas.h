@@ -3,7 +3,6 @@
 #include "ui/render/fabric_renderer.h"
 #include "ui/render/scene_worker.h"
 
-#include <QColor>
 #include <QImage>
 #include <QString>
 #include <QWidget>
@@ -16,12 +15,6 @@
 
 namespace knittsim::ui {
 
-/// A sign at a stitch.
-struct Flag {
-    Vec3f place;
-    QColor colour;
-};
-
 /// What a canvas paints. Window thread.
 struct CanvasContent {
     std::shared_ptr<const render::SceneFrame> scene;
@@ -32,8 +25,8 @@ struct CanvasContent {
     std::optional<Vec3f> mark;                   ///< place of the selected bonding point
     std::vector<Vec3f> pins;                     ///< places that are held
     std::optional<std::pair<Vec3f, Vec3f>> pull; ///< where a person pulls yarn, and where to
-    std::vector<Flag> flags;                     ///< painted by the overlay
     render::ColourBy colourBy = render::ColourBy::Yarn;
+    std::optional<render::Section> section;
     bool dark = false;
     bool legend = true; ///< explain the bare mesh
     double paintMs = 0; ///< told back by the canvas

@@ -1,87 +1,14 @@
 #include "ui/views/fabric_view/fabric_view.h"
 
-#include "core/machine/needle.h"
-#include "ui/render/scene_picking.h"
-#include "ui/render/scene_worker.h"
 #include "ui/views/fabric_view/camera_bytes.h"
-#include "ui/views/fabric_view/canvas.h"
-#include "ui/views/fabric_view/overlay.h"
+#include "ui/views/fabric_view/fabric_view_implementation.h"
 
 #include <QCursor>
-#include <QHelpEvent>
-#include <QMouseEvent>
-#include <QTimer>
-#include <QToolTip>
-#include <QWheelEvent>
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <utility>
 
 namespace knittsim::ui {
-
-namespace {
-
-constexpr float kPickPixels = 3;   ///< how far beside the yarn a click still counts
-constexpr int kClickPixels = 4;    ///< a press that moves farther is a drag
-constexpr double kWheelStep = 1.2; ///< zoom of one notch
-
-QVector3D toQt(const Vec3f& v) {
-    return {v.x(), v.y(), v.z()};
-}
-
-} // namespace
-
-struct FabricView::Implementation {
-    explicit Implementation(FabricView& owner)
-        : view(owner), worker([&owner] {
-              QMetaObject::invokeMethod(
-                  &owner, [&owner] { owner.m->takePicture(); }, Qt::QueuedConnection);
-          }) {}
-
-    FabricView& view;
-    CanvasContent content;
-    std::shared_ptr<const fabric::Fabric> fabric;      ///< wanted
-    std::shared_ptr<const fabric::Fabric> shownFabric; ///< of content.scene
-    std::shared_ptr<const simulation::Frame> frame;
-    std::shared_ptr<const simulation::YarnPicture> yarn; ///< see setYarn()
-    std::vector<int> pins;                               ///< bonding points of `fabric`
-    render::DrawStyle style = render::DrawStyle::Yarn;
-    std::unique_ptr<Canvas> canvas;
-    Overlay* overlay = nullptr;
-    bool hasGl = true;
-    QString glReason;
-    bool fitPending = true; ///< fit as soon as there is a picture
-    bool following = false; ///< see setFollowing()
-    bool followFit = true;  ///< the person has not moved the camera since the last fit
-    bool dragMode = false;
-    int selectedPoint = -1;                    ///< of `fabric`
-    std::vector<std::pair<int, QColor>> flags; ///< by loop
-
-    enum class Gesture { None, Press, Orbit, Pan, Pull } gesture = Gesture::None;
-    QPointF pressed;
-    QPointF last;
-    geometry::Pick pulled;
-    std::optional<Vec3f> pullTarget; ///< once the mouse has moved
-
-    void makeCanvas();
-    void useFlatCanvas(const QString& reason);
-    void placeChildren();
-    void request();
-    void takePicture();
-    void changed();
-    void moveCamera(const std::function<void(render::Camera&)>& move);
-    void look(render::ViewSide side);
-    std::optional<geometry::Pick> pickAt(QPointF where) const;
-    void hover(int loop);
-    void placeMarks();
-    void pullTo(QPointF where);
-    Vec3f placeOf(fabric::EntryIndex entry) const;
-    QString describe(int loop) const;
-
-    render::SceneWorker worker; // last: it may call back until it is gone
-};
 
 FabricView::FabricView(QWidget* parent) : QWidget(parent), m(std::make_unique<Implementation>(*this)) {
     setObjectName(QStringLiteral("fabricView"));
@@ -93,172 +20,12 @@ FabricView::FabricView(QWidget* parent) : QWidget(parent), m(std::make_unique<Im
            "it, turn the wheel to come nearer, click a stitch to select it."));
     m->content.camera.setViewport(width(), height());
     m->makeCanvas();
-    m->overlay = new Overlay(this, m->content);
+    m->overlay = new Overlay(this, m->content, m->annotations);
     m->overlay->setMessage(m->glReason.isEmpty() ? tr("No fabric yet") : m->glReason);
     m->placeChildren();
 }
 
 FabricView::~FabricView() = default;
-
-void FabricView::Implementation::makeCanvas() {
-    // For comparing and for machines whose driver misbehaves: window, thread or none.
-    const QByteArray wanted = qgetenv("KNITTSIM_OPENGL");
-    if (wanted.isEmpty() || wanted == "window") {
-        canvas = makeGlCanvas(
-            &view, content, [this](const QString& reason) { useFlatCanvas(reason); }, glReason);
-    }
-    if (!canvas && wanted != "none") {
-        canvas = makeThreadedCanvas(&view, content, glReason);
-    }
-    if (wanted == "none") {
-        glReason = tr("OpenGL is switched off.");
-    }
-    if (!canvas) {
-        const QString reason = glReason;
-        useFlatCanvas(reason);
-    }
-}
-
-void FabricView::Implementation::useFlatCanvas(const QString& reason) {
-    hasGl = false;
-    glReason = tr("%1 The fabric is drawn flat.").arg(reason);
-    canvas = makeFlatCanvas(&view, content);
-    if (overlay != nullptr) {
-        overlay->setMessage(glReason);
-        placeChildren();
-    }
-    // Also when this happens in the constructor: then somebody has connected by now.
-    QTimer::singleShot(0, &view, [this] { emit view.glFailed(glReason); });
-}
-
-void FabricView::Implementation::placeChildren() {
-    content.camera.setViewport(view.width(), view.height());
-    canvas->widget()->setGeometry(view.rect());
-    canvas->widget()->show();
-    overlay->setGeometry(view.rect());
-    overlay->raise();
-}
-
-void FabricView::Implementation::request() {
-    if (fabric) {
-        worker.post({fabric, content.looks, style, frame, yarn, content.colourBy});
-    }
-}
-
-void FabricView::Implementation::takePicture() {
-    auto picture = worker.take();
-    // A picture of a fabric that was replaced meanwhile is of no use: its successor is under way.
-    if (!picture || picture->fabric != fabric) {
-        return;
-    }
-    content.scene = std::move(picture->scene);
-    shownFabric = std::move(picture->fabric);
-    content.camera.setScene(content.scene->bounds);
-    placeMarks();
-    if ((fitPending || (following && followFit)) && !content.scene->bounds.empty()) {
-        fitPending = false;
-        content.camera.fit(content.scene->bounds);
-    }
-    changed();
-}
-
-void FabricView::Implementation::changed() {
-    const bool allHasRun = shownFabric && shownFabric->points.empty() && !shownFabric->loops.empty();
-    overlay->setMessage(allHasRun                  ? tr("All of the fabric has run")
-                        : !hasGl                   ? glReason
-                        : content.scene == nullptr ? tr("No fabric yet")
-                                                   : QString());
-    canvas->refresh();
-}
-
-void FabricView::Implementation::moveCamera(const std::function<void(render::Camera&)>& move) {
-    followFit = false;
-    move(content.camera);
-    overlay->update();
-    canvas->refresh();
-}
-
-void FabricView::Implementation::look(render::ViewSide side) {
-    moveCamera([side](render::Camera& camera) { camera.look(side); });
-}
-
-std::optional<geometry::Pick> FabricView::Implementation::pickAt(QPointF where) const {
-    if (!content.scene || !shownFabric) {
-        return std::nullopt;
-    }
-    const render::Camera& camera = content.camera;
-    return render::pickScene(*content.scene, *shownFabric,
-                             camera.rayAt(static_cast<float>(where.x()), static_cast<float>(where.y())),
-                             kPickPixels * camera.millimetresPerPixel());
-}
-
-void FabricView::Implementation::hover(int loop) {
-    if (loop != content.hovered) {
-        content.hovered = loop;
-        canvas->refresh();
-        emit view.loopHovered(loop);
-    }
-}
-
-Vec3f FabricView::Implementation::placeOf(fabric::EntryIndex entry) const {
-    const std::size_t i = 3 * static_cast<std::size_t>(entry);
-    if (yarn && yarn->positions.size() > i + 2) {
-        return {yarn->positions[i], yarn->positions[i + 1], yarn->positions[i + 2]};
-    }
-    if (frame && frame->positions.size() == 3 * static_cast<std::size_t>(shownFabric->entryCount)) {
-        return {frame->positions[i], frame->positions[i + 1], frame->positions[i + 2]};
-    }
-    return shownFabric->machinePositions[static_cast<std::size_t>(entry)].cast<float>();
-}
-
-void FabricView::Implementation::placeMarks() {
-    const bool known = shownFabric && shownFabric == fabric;
-    const auto placeOfPoint = [&](int point) -> std::optional<Vec3f> {
-        const bool there = known && point >= 0 && static_cast<std::size_t>(point) < fabric->points.size();
-        return there ? std::optional(placeOf(fabric->points[static_cast<std::size_t>(point)].entry))
-                     : std::nullopt;
-    };
-    content.mark = placeOfPoint(selectedPoint);
-    content.pins.clear();
-    for (const int point : pins) {
-        if (const auto place = placeOfPoint(point)) {
-            content.pins.push_back(*place);
-        }
-    }
-    const auto held = gesture == Gesture::Pull && pullTarget ? placeOfPoint(pulled.point) : std::nullopt;
-    content.pull = held ? std::optional(std::pair(*held, *pullTarget)) : std::nullopt;
-    content.flags.clear();
-    for (const auto& [loop, colour] : flags) {
-        if (!shownFabric || static_cast<std::size_t>(loop) >= shownFabric->loops.size()) {
-            continue;
-        }
-        const fabric::Loop& stitch = shownFabric->loops[static_cast<std::size_t>(loop)];
-        if (stitch.headLeft >= 0 && stitch.headRight >= 0) {
-            const auto place = [&](fabric::PointIndex point) {
-                return placeOf(shownFabric->points[static_cast<std::size_t>(point)].entry);
-            };
-            content.flags.push_back({0.5F * (place(stitch.headLeft) + place(stitch.headRight)), colour});
-        }
-    }
-    overlay->update();
-}
-
-/// The pulled point moves in the plane through where it was caught, parallel to the picture.
-void FabricView::Implementation::pullTo(QPointF where) {
-    const render::Camera& camera = content.camera;
-    const auto ray = camera.rayAt(static_cast<float>(where.x()), static_cast<float>(where.y()));
-    if (const auto place = geometry::meetPlane(ray, pulled.place, camera.towardsViewer())) {
-        pullTarget = *place;
-        placeMarks();
-        emit view.dragMoved(pulled.point, toQt(*place));
-    }
-}
-
-QString FabricView::Implementation::describe(int loop) const {
-    const auto i = static_cast<std::size_t>(loop);
-    const QString needle = QString::fromStdString(machine::toString(shownFabric->made.loops[i].needle));
-    return tr("Stitch on needle %1, course %2").arg(needle).arg(shownFabric->loops[i].course + 1);
-}
 
 void FabricView::setFabric(std::shared_ptr<const fabric::Fabric> fabric,
                            std::vector<render::YarnLook> looks) {
@@ -270,11 +37,17 @@ void FabricView::setFabric(std::shared_ptr<const fabric::Fabric> fabric,
     m->selectedPoint = -1; // its number means another point now
     m->pins.clear();
     m->gesture = Implementation::Gesture::None;
+    m->problems.clear();
+    m->annotations.tape.clear();
+    m->takePlaces({});
     if (m->fabric) {
         m->request();
         return;
     }
-    m->content.scene.reset();
+    m->alone = Alone::Nothing;
+    m->content.section.reset();
+    m->wholeScene.reset();
+    m->showParts();
     m->shownFabric.reset();
     m->content.selected = -1;
     m->hover(-1);
@@ -288,6 +61,7 @@ void FabricView::setFrame(std::shared_ptr<const simulation::Frame> frame) {
     if (fits) {
         m->frame = std::move(frame);
         m->yarn.reset();
+        m->takePlaces(m->frame->positions);
         m->request();
     }
 }
@@ -295,6 +69,9 @@ void FabricView::setFrame(std::shared_ptr<const simulation::Frame> frame) {
 void FabricView::setYarn(std::shared_ptr<const simulation::YarnPicture> yarn) {
     if (m->fabric && yarn != m->yarn) {
         m->yarn = std::move(yarn);
+        m->takePlaces(m->yarn    ? std::span<const float>(m->yarn->positions)
+                      : m->frame ? std::span<const float>(m->frame->positions)
+                                 : std::span<const float>());
         m->request();
     }
 }
@@ -353,15 +130,6 @@ void FabricView::setSelectedPoint(int point) {
         m->selectedPoint = point;
         m->placeMarks();
     }
-}
-
-void FabricView::setFlags(std::vector<std::pair<int, QColor>> flags) {
-    m->flags = std::move(flags);
-    m->placeMarks();
-}
-
-int FabricView::flagCount() const {
-    return static_cast<int>(m->content.flags.size());
 }
 
 void FabricView::centreOn(int loop) {
@@ -448,6 +216,10 @@ void FabricView::setDragMode(bool on) {
     setCursor(on ? Qt::PointingHandCursor : Qt::ArrowCursor);
 }
 
+render::CameraState FabricView::cameraState() const {
+    return m->content.camera.state();
+}
+
 QByteArray FabricView::saveCamera() const {
     return toBytes(m->content.camera.state());
 }
@@ -479,102 +251,6 @@ QSize FabricView::sizeHint() const {
 }
 QSize FabricView::minimumSizeHint() const {
     return {160, 120};
-}
-
-void FabricView::resizeEvent(QResizeEvent*) {
-    m->placeChildren();
-    if (m->followFit && m->content.scene) {
-        m->content.camera.fit(m->content.scene->bounds);
-    }
-}
-
-void FabricView::mousePressEvent(QMouseEvent* event) {
-    using Gesture = Implementation::Gesture;
-    m->pressed = m->last = event->position();
-    const bool pan = event->button() == Qt::MiddleButton || event->modifiers().testFlag(Qt::ShiftModifier);
-    const bool pull = m->dragMode || event->modifiers().testFlag(Qt::ControlModifier);
-    if (pan) {
-        m->gesture = Gesture::Pan;
-    } else if (event->button() != Qt::LeftButton) {
-        QWidget::mousePressEvent(event);
-    } else if (const auto pick = pull ? m->pickAt(event->position()) : std::nullopt) {
-        m->gesture = Gesture::Pull;
-        m->pulled = *pick;
-        m->pullTarget.reset();
-        setCursor(Qt::ClosedHandCursor);
-    } else {
-        m->gesture = Gesture::Press;
-    }
-}
-
-void FabricView::mouseMoveEvent(QMouseEvent* event) {
-    using Gesture = Implementation::Gesture;
-    const QPointF moved = event->position() - m->last;
-    const auto right = static_cast<float>(moved.x());
-    const auto down = static_cast<float>(moved.y());
-    if (m->gesture == Gesture::Press && (event->position() - m->pressed).manhattanLength() > kClickPixels) {
-        m->gesture = Gesture::Orbit;
-    }
-    switch (m->gesture) {
-    case Gesture::None: {
-        const auto pick = m->pickAt(event->position());
-        m->hover(pick ? pick->loop : -1);
-        break;
-    }
-    case Gesture::Press:
-        return; // keeps `last`, so that nothing is lost when it becomes a drag
-    case Gesture::Orbit:
-        m->moveCamera([&](render::Camera& camera) { camera.orbit(right, down); });
-        break;
-    case Gesture::Pan:
-        m->moveCamera([&](render::Camera& camera) { camera.pan(right, down); });
-        break;
-    case Gesture::Pull:
-        m->pullTo(event->position());
-        break;
-    }
-    m->last = event->position();
-}
-
-void FabricView::mouseReleaseEvent(QMouseEvent* event) {
-    using Gesture = Implementation::Gesture;
-    const Gesture gesture = std::exchange(m->gesture, Gesture::None);
-    if (gesture == Gesture::Pull) {
-        setDragMode(m->dragMode);
-        m->placeMarks();
-        emit dragEnded();
-    } else if (gesture == Gesture::Press) {
-        const auto pick = m->pickAt(event->position());
-        emit loopClicked(pick ? pick->loop : -1);
-        emit pointClicked(pick ? pick->point : -1);
-    } else if (gesture == Gesture::None) {
-        QWidget::mouseReleaseEvent(event);
-    }
-}
-
-void FabricView::wheelEvent(QWheelEvent* event) {
-    const double notches = event->angleDelta().y() / 120.0;
-    const QPointF where = event->position();
-    m->moveCamera([&](render::Camera& camera) {
-        camera.zoomAt(static_cast<float>(where.x()), static_cast<float>(where.y()),
-                      static_cast<float>(std::pow(kWheelStep, notches)));
-    });
-    event->accept();
-}
-
-void FabricView::leaveEvent(QEvent*) {
-    m->hover(-1);
-}
-
-bool FabricView::event(QEvent* event) {
-    if (event->type() == QEvent::ToolTip) {
-        const auto* help = static_cast<QHelpEvent*>(event);
-        const auto pick = m->pickAt(help->pos());
-        QToolTip::showText(help->globalPos(), pick && pick->loop >= 0 ? m->describe(pick->loop) : QString(),
-                           this);
-        return true;
-    }
-    return QWidget::event(event);
 }
 
 } // namespace knittsim::ui

@@ -3,17 +3,21 @@
 #include "core/fabric/fabric.h"
 #include "core/simulation/frame.h"
 #include "core/simulation/yarn_picture.h"
+#include "ui/render/camera.h"
 #include "ui/render/colour_scale.h"
 #include "ui/render/look.h"
+#include "ui/render/section.h"
+#include "ui/views/fabric_view/annotations.h"
 
 #include <QByteArray>
-#include <QColor>
 #include <QImage>
+#include <QStringList>
 #include <QVector3D>
 #include <QWidget>
 
+#include <functional>
 #include <memory>
-#include <utility>
+#include <optional>
 #include <vector>
 
 namespace knittsim::ui {
@@ -23,8 +27,8 @@ namespace knittsim::ui {
 /// QPainter.
 ///
 /// Mouse: left drag orbits, middle or Shift+left drag pans, wheel zooms at the cursor, click selects a
-/// stitch, Ctrl+left drag (or any left drag in drag mode) on yarn pulls its bonding point. All functions:
-/// window thread.
+/// stitch or sets the tape, Ctrl+left drag (or any left drag in drag mode) on yarn pulls its bonding point.
+/// All functions: window thread.
 class FabricView : public QWidget {
     Q_OBJECT
 
@@ -63,11 +67,6 @@ public:
     /// Rings a bonding point (index into Fabric::points); -1 for none. Emits nothing.
     void setSelectedPoint(int point);
 
-    /// Puts a sign at stitches (indices into Fabric::loops); those that the fabric does not have are left
-    /// out.
-    void setFlags(std::vector<std::pair<int, QColor>> flags);
-    int flagCount() const; ///< signs that are placed
-
     /// Moves the camera so that a loop lies in the middle; keeps direction and zoom.
     void centreOn(int loop);
 
@@ -87,6 +86,38 @@ public:
     void setLegend(bool on); ///< explains the bonding points of the mesh style
     bool hasLegend() const;
     void setDragMode(bool on); ///< plain left drag pulls bonding points
+
+    // Annotations. All have a legend in the picture; none is part of picture().
+    void setDimensions(bool on); ///< width, height and gauge
+    bool hasDimensions() const;
+    void setGuides(bool on); ///< numbered lines along courses and wales
+    bool hasGuides() const;
+    void setProblemMarks(bool on);
+    bool hasProblemMarks() const;
+    int problemMarkCount() const;                        ///< that are placed
+    void setProblems(std::vector<LoopProblem> problems); ///< of the present fabric; setFabric() forgets them
+    void setTaping(bool on); ///< clicks set the two ends of a measuring tape instead of selecting
+    bool isTaping() const;
+
+    /// Cuts away what lies before a plane through the selected stitch, else through the middle of the fabric,
+    /// parallel to the picture. Alt and wheel move it. An empty view forgets it.
+    void setSection(bool on);
+    const std::optional<render::Section>& section() const;
+
+    /// Hides all but the yarn or the course of the selected loop, else of the one under the mouse. False, and
+    /// nothing changed, where there is none. An empty view forgets it.
+    enum class Alone { Nothing, Yarn, Course };
+    bool showAlone(Alone what);
+    Alone alone() const;
+    std::vector<bool> shownPoints() const; ///< by bonding point of the fabric shown; empty: all
+
+    /// What the tool tip says of a loop.
+    void setDescriber(std::function<QString(int loop)> describer);
+
+    QStringList words() const;                                ///< of badge and legends, as they are painted
+    std::optional<geometry::Measurement> measurement() const; ///< of the shape wanted
+
+    render::CameraState cameraState() const;
 
     /// Camera direction, place, zoom and kind of projection. restoreCamera() returns false for foreign bytes.
     QByteArray saveCamera() const;
@@ -108,7 +139,8 @@ signals:
     void loopHovered(int loop);   ///< -1: left the yarn
     void dragMoved(int point, QVector3D placeMm); ///< the yarn at a bonding point, to there
     void dragEnded();
-    void glFailed(QString reason); ///< once; a sentence for the user
+    void measured(double millimetres); ///< both ends of the tape are set
+    void glFailed(QString reason);     ///< once; a sentence for the user
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

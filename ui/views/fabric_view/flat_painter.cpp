@@ -24,7 +24,8 @@ struct Piece {
 constexpr std::size_t kPieceNodes = 4;
 constexpr std::size_t kMostPieces = 60000; ///< larger fabrics are painted in longer pieces
 
-std::vector<Piece> sortedPieces(const render::SceneFrame& scene, const render::Camera& camera) {
+std::vector<Piece> sortedPieces(const render::SceneFrame& scene, const render::Camera& camera,
+                                const std::optional<render::Section>& section) {
     const std::size_t step = std::max(kPieceNodes, scene.nodes.size() / kMostPieces + 1);
     const Vec3f towards = camera.towardsViewer();
     std::vector<Piece> pieces;
@@ -34,6 +35,9 @@ std::vector<Piece> sortedPieces(const render::SceneFrame& scene, const render::C
         for (auto first = static_cast<std::size_t>(yarn.first); first + 1 < end; first += step) {
             const std::size_t count = std::min(step + 1, end - first);
             const auto& middle = scene.nodes[first + count / 2];
+            if (section && section->cuts({middle[0], middle[1], middle[2]})) {
+                continue;
+            }
             pieces.push_back(
                 {first, count, Vec3f(middle[0], middle[1], middle[2]).dot(towards), yarn.carrier});
         }
@@ -70,7 +74,8 @@ void paintMarkers(QPainter& painter, QSize size, const CanvasContent& content) {
     for (const render::Marker& marker : content.scene->markers) {
         const Vec3f place = Vec3f::Map(marker.place.data());
         const QPointF centre = onScreen(place);
-        if (seen.contains(centre)) {
+        const bool cut = content.section && content.section->cuts(place);
+        if (seen.contains(centre) && !cut) {
             const auto& way = camera.towardsViewer().z() < 0 ? marker.behind : marker.front;
             paintMarker(painter, static_cast<render::Marker::Kind>(marker.kind), centre, pixels,
                         onScreen(place + Vec3f::Map(way.data())) - centre, ground, content.dark);
@@ -96,7 +101,7 @@ void paintFlat(QPainter& painter, QSize size, const CanvasContent& content) {
     painter.setRenderHint(QPainter::Antialiasing);
     const float perMm = 1 / content.camera.millimetresPerPixel();
     QPolygonF line;
-    for (const Piece& piece : sortedPieces(scene, content.camera)) {
+    for (const Piece& piece : sortedPieces(scene, content.camera, content.section)) {
         line.clear();
         for (std::size_t n = piece.first; n < piece.first + piece.count; ++n) {
             const auto& node = scene.nodes[n];

@@ -117,6 +117,7 @@ protected:
         view.camera = m_content.camera;
         view.width = qRound(width() * devicePixelRatioF());
         view.height = qRound(height() * devicePixelRatioF());
+        view.section = m_content.section;
         view.dark = m_content.dark;
         m_renderer->draw(view);
         m_content.paintMs = static_cast<double>(timer.nsecsElapsed()) * 1e-6;

@@ -33,7 +33,8 @@ double scaleBarMm(double millimetresPerPixel, double mostPixels) {
     return most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
 }
 
-Overlay::Overlay(QWidget* parent, const CanvasContent& content) : QWidget(parent), m_content(content) {
+Overlay::Overlay(QWidget* parent, const CanvasContent& content, const Annotations& annotations)
+    : QWidget(parent), m_content(content), m_annotations(annotations) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAttribute(Qt::WA_NoSystemBackground);
     setFocusPolicy(Qt::NoFocus);
@@ -46,33 +47,58 @@ void Overlay::setMessage(const QString& message) {
 
 QString Overlay::sideText() const {
     const float facing = m_content.camera.towardsViewer().z();
-    return facing > kSeenFlat ? tr("technical face") : facing < -kSeenFlat ? tr("technical back") : QString();
+    return facing > kSeenFlat    ? tr("technical face")
+           : facing < -kSeenFlat ? tr("technical back")
+                                 : tr("seen from its edge");
 }
 
-QColor Overlay::ink() const {
-    return m_content.dark ? QColor(235, 237, 240) : QColor(32, 36, 42);
-}
-
-QColor Overlay::ground() const {
-    return m_content.dark ? QColor(20, 22, 25, 215) : QColor(255, 255, 255, 215);
+std::vector<Overlay::Word> Overlay::words() const {
+    std::vector<Word> words;
+    if (m_annotations.guides) {
+        const OverlayInk colours = overlayInk(m_content.dark);
+        words.push_back({tr("courses, numbered"), colours.course});
+        words.push_back({tr("wales, numbered"), colours.wale});
+    }
+    if (m_annotations.marks && !m_annotations.problems.empty()) {
+        words.push_back({tr("\u00d7 error, ! warning, i note")});
+    }
+    if (!m_annotations.alone.isEmpty()) {
+        words.push_back({m_annotations.alone});
+    }
+    if (m_content.section) {
+        words.push_back({tr("section: Alt and wheel move it")});
+    }
+    if (m_annotations.taping) {
+        words.push_back({m_annotations.tape.size() == 1 ? tr("tape: click the second point")
+                                                        : tr("tape: click the first point")});
+    }
+    return words;
 }
 
 void Overlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_content.scene) {
-        paintFlags(painter);
+        const OverlayInk colours = overlayInk(m_content.dark);
+        if (m_annotations.guides) {
+            paintGuides(painter, m_content, m_annotations, colours);
+        }
+        if (m_annotations.dimensions) {
+            paintDimensions(painter, size(), m_content, m_annotations, colours);
+        }
+        if (m_annotations.marks) {
+            paintProblems(painter, m_content, m_annotations);
+        }
+        paintTape(painter, m_content, m_annotations, colours);
         paintPins(painter);
         paintMark(painter);
         paintPull(painter);
-        paintBadge(painter);
-        // Below the badge, which may be missing; so the legends do not jump when the fabric is turned.
-        int top = kMargin + fontMetrics().height() + 16;
+        int below = paintWords(painter);
         if (m_content.legend && m_content.scene->style == render::DrawStyle::Mesh) {
-            top = paintLegend(painter, top);
+            below = paintLegend(painter, below);
         }
         if (m_content.colourBy != render::ColourBy::Yarn) {
-            paintColours(painter, top);
+            paintColours(painter, below);
         }
         paintScale(painter);
         paintAxes(painter);
@@ -80,18 +106,29 @@ void Overlay::paintEvent(QPaintEvent*) {
     paintMessage(painter);
 }
 
-void Overlay::paintBadge(QPainter& painter) const {
-    const QString text = sideText();
-    if (text.isEmpty()) {
-        return;
+/// The badge and the words below it; returns where the next thing may begin.
+int Overlay::paintWords(QPainter& painter) const {
+    constexpr int kGap = 6;
+    constexpr int kSample = 24;
+    const int height = fontMetrics().height() + 8;
+    int top = kMargin;
+    std::vector<Word> all = words();
+    all.insert(all.begin(), {sideText()});
+    for (const Word& word : all) {
+        const int sample = word.sample.isValid() ? kSample : 0;
+        const QRect box(kMargin, top, fontMetrics().horizontalAdvance(word.text) + 20 + sample, height);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(ground());
+        painter.drawRoundedRect(box, height / 2.0, height / 2.0);
+        if (sample > 0) {
+            painter.setPen(QPen(word.sample, 2));
+            painter.drawLine(box.left() + 10, box.center().y(), box.left() + sample + 2, box.center().y());
+        }
+        painter.setPen(ink());
+        painter.drawText(box.adjusted(sample, 0, 0, 0), Qt::AlignCenter, word.text);
+        top += height + kGap;
     }
-    const QSize size = fontMetrics().size(Qt::TextSingleLine, text);
-    const QRect box(kMargin, kMargin, size.width() + 20, size.height() + 8);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(ground());
-    painter.drawRoundedRect(box, box.height() / 2.0, box.height() / 2.0);
-    painter.setPen(ink());
-    painter.drawText(box, Qt::AlignCenter, text);
+    return top;
 }
 
 /// Returns where there is room below it.
@@ -109,7 +146,7 @@ int Overlay::paintLegend(QPainter& painter, int top) const {
     for (const Row& row : rows) {
         width = std::max(width, fontMetrics().horizontalAdvance(row.text));
     }
-    const QRect box(kMargin, top, kSymbol + width + 16, static_cast<int>(rows.size()) * height + 10);
+    const QRect box(kMargin, top + 2, kSymbol + width + 16, static_cast<int>(rows.size()) * height + 10);
     painter.setPen(Qt::NoPen);
     painter.setBrush(ground());
     painter.drawRoundedRect(box, 8, 8);
@@ -229,25 +266,13 @@ void Overlay::paintMark(QPainter& painter) const {
     }
 }
 
-/// A triangle that stands on the stitch, tip down.
-void Overlay::paintFlags(QPainter& painter) const {
-    constexpr double kSize = 9;
-    for (const Flag& flag : m_content.flags) {
-        const Vec3f place = m_content.camera.project(flag.place);
-        const QPointF tip(place.x(), place.y());
-        painter.setPen(QPen(opaque(ground()), 1.5));
-        painter.setBrush(flag.colour);
-        painter.drawPolygon(
-            QPolygonF{{tip, tip + QPointF(-0.6 * kSize, -kSize), tip + QPointF(0.6 * kSize, -kSize)}});
-    }
-}
-
 void Overlay::paintScale(QPainter& painter) const {
     const double perPixel = m_content.camera.millimetresPerPixel();
     const double millimetres = scaleBarMm(perPixel, std::min(kScalePixels, width() / 3.0));
     const double pixels = millimetres / perPixel;
     const double right = width() - kMargin;
-    const double y = height() - kMargin;
+    constexpr int kAboveWidth = 26; // the width of a fabric that fills the view stands below
+    const double y = height() - kMargin - (m_annotations.dimensions ? kAboveWidth : 0);
     const QString text = tr("%1 mm").arg(QLocale().toString(millimetres, 'g', 6));
     painter.setPen(QPen(ink(), 2));
     painter.drawPolyline(

@@ -1,45 +1,55 @@
 #pragma once
 
-#include "ui/views/fabric_view/canvas.h"
+#include "ui/views/fabric_view/annotation_painter.h"
 
 #include <QWidget>
 
+#include <vector>
+
 namespace knittsim::ui {
 
-/// Badge of the side that is seen, legends of the mesh and of the colours, scale bar, axes, a ring round the
-/// selected bonding point, signs at stitches, pins and a person's pull, painted over the picture. Lets all
-/// events through.
+/// Badge of the side that is seen and words beside it, legends of the mesh and of the colours, scale bar,
+/// axes, a ring round the selected bonding point and the annotations, pins and a person's pull, painted over
+/// the picture. Lets all events through.
 class Overlay : public QWidget {
     Q_OBJECT
 
 public:
-    Overlay(QWidget* parent, const CanvasContent& content);
+    Overlay(QWidget* parent, const CanvasContent& content, const Annotations& annotations);
 
     /// Shown in the middle while there is nothing to see, and as a note above the scale bar.
     void setMessage(const QString& message);
 
-    /// "technical face", "technical back", or empty when the fabric is seen from the side.
+    /// "technical face", "technical back", or that the fabric is seen from its edge.
     QString sideText() const;
+
+    /// What the annotations say in words: what lines and signs are, what is shown alone, how to measure. With
+    /// a line of `sample`, where that is valid.
+    struct Word {
+        QString text;
+        QColor sample{};
+    };
+    std::vector<Word> words() const;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    void paintBadge(QPainter& painter) const;
+    int paintWords(QPainter& painter) const;
     int paintLegend(QPainter& painter, int top) const;
     void paintColours(QPainter& painter, int top) const;
     void paintPins(QPainter& painter) const;
     void paintPull(QPainter& painter) const;
     QPointF onScreen(const Vec3f& place) const;
     void paintMark(QPainter& painter) const;
-    void paintFlags(QPainter& painter) const;
     void paintScale(QPainter& painter) const;
     void paintAxes(QPainter& painter) const;
     void paintMessage(QPainter& painter) const;
-    QColor ink() const;
-    QColor ground() const;
+    QColor ink() const { return overlayInk(m_content.dark).ink; }
+    QColor ground() const { return overlayInk(m_content.dark).ground; }
 
     const CanvasContent& m_content;
+    const Annotations& m_annotations;
     QString m_message;
 };
 

@@ -66,6 +66,7 @@ public:
         request.view.camera = m_content.camera;
         request.view.width = pixels.width();
         request.view.height = pixels.height();
+        request.view.section = m_content.section;
         request.view.dark = m_content.dark;
         m_thread->post(std::move(request));
     }

@@ -1,0 +1,188 @@
+#ifndef Q_MOC_RUN // moc 6.4 does not read all headers of C++20
+#include "core/pattern/samples.h"
+#endif
+
+#include "ui/dialogs/export_dialog.h"
+#include "ui/views/fabric_view/fabric_view.h"
+#include "ui/views/style/appearance.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace knittsim::ui {
+
+using document::Document;
+
+/// File > Export, driven by keys and mouse.
+class ExportWindowTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        qputenv("KNITTSIM_CONFIG_DIR", m_folder.path().toUtf8());
+        applyAppearance(*qApp, document::Appearance::Light);
+    }
+
+    void init() {
+        document::Session().clear();
+        m_out = std::make_unique<QTemporaryDir>();
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    }
+
+    void cleanup() { m_window.reset(); }
+
+    void isOffWhileNothingIsOpen() { QVERIFY(!find<QAction>("actionExport")->isEnabled()); }
+
+    void writesEveryFormat() {
+        openSample("plain");
+        const QStringList formats{"png", "svg", "glb", "gltf", "obj", "bcc", "csv"};
+        for (int i = 0; i < formats.size(); ++i) {
+            openDialog();
+            find<QComboBox>("exportFormat")->setCurrentIndex(i);
+            const QString path = m_out->filePath("swatch." + formats[i]);
+            QVERIFY2(find<QLineEdit>("exportPath")->text().endsWith('.' + formats[i]),
+                     qPrintable(formats[i]));
+            setPath(path);
+            QTest::mouseClick(find<QPushButton>("exportStart"), Qt::LeftButton);
+            QTRY_VERIFY_WITH_TIMEOUT(!m_dialog, 30000);
+            QVERIFY2(QFileInfo(path).size() > 500, qPrintable(path));
+            QVERIFY(m_window->statusBar()->currentMessage().contains(path));
+        }
+        QVERIFY(QFileInfo::exists(m_out->filePath("swatch.mtl")));
+    }
+
+    void aPictureHasItsSizeAndNoBackground() {
+        openSample("plain");
+        openDialog();
+        setPath(m_out->filePath("a.png"));
+        find<QSpinBox>("exportWidth")->setValue(300);
+        find<QSpinBox>("exportHeight")->setValue(200);
+        QTest::mouseClick(find<QCheckBox>("exportTransparent"), Qt::LeftButton, {}, {8, 8});
+        QVERIFY(find<QCheckBox>("exportTransparent")->isChecked());
+        find<QComboBox>("exportSide")->setCurrentIndex(2);
+        QTest::keyClick(m_dialog, Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_dialog, 30000);
+        const QImage image(m_out->filePath("a.png"));
+        QCOMPARE(image.size(), QSize(300, 200));
+        QCOMPARE(qAlpha(image.pixel(0, 0)), 0);
+        int opaque = 0;
+        for (int y = 80; y < 120; ++y) {
+            for (int x = 130; x < 170; ++x) {
+                opaque += qAlpha(image.pixel(x, y)) == 255 ? 1 : 0;
+            }
+        }
+        QVERIFY(opaque > 200);
+    }
+
+    void pixelsAreForPicturesOnly() {
+        openSample("plain");
+        openDialog();
+        QVERIFY(find<QSpinBox>("exportWidth")->isEnabled());
+        QCOMPARE(find<QSpinBox>("exportWidth")->maximum(), 8192);
+        find<QComboBox>("exportFormat")->setCurrentIndex(2);
+        QVERIFY(!find<QSpinBox>("exportWidth")->isEnabled());
+        QVERIFY(!find<QCheckBox>("exportTransparent")->isEnabled());
+        QVERIFY(!find<QComboBox>("exportSide")->isEnabled());
+        QTest::keyClick(m_dialog, Qt::Key_Escape);
+        QTRY_VERIFY(!m_dialog);
+    }
+
+    void saysWhatCannotBeWritten() {
+        openSample("plain");
+        openDialog();
+        setPath(m_out->filePath("none/a.png"));
+        find<QComboBox>("exportFormat")->setCurrentIndex(1);
+        QTest::mouseClick(find<QPushButton>("exportStart"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            find<QLabel>("exportProblem")->text().startsWith("The file cannot be written"), 30000);
+        QVERIFY2(find<QPushButton>("exportStart")->isEnabled(), "one can try again");
+        QVERIFY(m_dialog->isVisible());
+        QTest::keyClick(m_dialog, Qt::Key_Escape);
+        QTRY_VERIFY(!m_dialog);
+    }
+
+    void cancelLeavesNoFile() {
+        openSample("cable-left");
+        openDialog();
+        setPath(m_out->filePath("big.png"));
+        find<QSpinBox>("exportWidth")->setValue(8192);
+        find<QSpinBox>("exportHeight")->setValue(8192);
+        QTest::mouseClick(find<QPushButton>("exportStart"), Qt::LeftButton);
+        QVERIFY(find<QProgressBar>("exportProgress")->isVisible());
+        QVERIFY(!find<QPushButton>("exportStart")->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(find<QProgressBar>("exportProgress")->value() > 0, 30000);
+        QTest::mouseClick(find<QPushButton>("exportCancel"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_dialog, 30000);
+        QVERIFY2(QDir(m_out->path()).isEmpty(), "nothing is left");
+    }
+
+    void closingTheWindowEndsTheWork() {
+        openSample("cable-left");
+        openDialog();
+        setPath(m_out->filePath("big.png"));
+        find<QSpinBox>("exportWidth")->setValue(8192);
+        find<QSpinBox>("exportHeight")->setValue(8192);
+        QTest::mouseClick(find<QPushButton>("exportStart"), Qt::LeftButton);
+        m_window.reset();
+        QVERIFY(QDir(m_out->path()).isEmpty());
+    }
+
+private:
+    template<class T> T* find(const QString& name) {
+        T* found = m_window->findChild<T*>(name);
+        if (!found) {
+            qFatal("no %s", qPrintable(name));
+        }
+        return found;
+    }
+
+    void openSample(const char* id) {
+        QSignalSpy opened(&m_window->document(), &Document::opened);
+        m_window->openSample(id);
+        QTRY_COMPARE(opened.count(), 1);
+        QTRY_VERIFY(m_window->document().shownFabric());
+    }
+
+    void openDialog() {
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QTest::keyClick(m_window.get(), Qt::Key_E, Qt::ControlModifier);
+        m_dialog = m_window->findChild<ExportDialog*>("exportDialog");
+        QVERIFY(m_dialog);
+        QVERIFY(m_dialog->isVisible());
+    }
+
+    void setPath(const QString& path) {
+        auto* line = find<QLineEdit>("exportPath");
+        line->selectAll();
+        QTest::keyClicks(line, path);
+        QCOMPARE(line->text(), path);
+    }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<QTemporaryDir> m_out;
+    std::unique_ptr<MainWindow> m_window;
+    QPointer<ExportDialog> m_dialog;
+};
+
+} // namespace knittsim::ui
+
+QTEST_MAIN(knittsim::ui::ExportWindowTest)
+#include "export_test.moc"

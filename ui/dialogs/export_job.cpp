@@ -1,0 +1,85 @@
+#include "ui/dialogs/export_job.h"
+
+#include "core/export/write_shape.h"
+#include "ui/render/offscreen.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace knittsim::ui {
+
+namespace {
+
+/// The part of the whole from `from` to `to`.
+Progress partOf(const Progress& progress, double from, double to) {
+    return [&progress, from, to](double share) { return !progress || progress(from + share * (to - from)); };
+}
+
+Result<Written> writePicture(const ExportJob& job, const Progress& progress) {
+    constexpr double kDrawn = 0.6;
+    render::RenderRequest request;
+    request.fabric = job.source.fabric.get();
+    request.positions = job.source.places;
+    request.style = job.source.style;
+    request.curves = request.style != render::DrawStyle::Mesh ? job.source.curves.get() : nullptr;
+    for (const yarn::Yarn& yarn : job.source.yarns) {
+        request.looks.push_back(render::lookOf(yarn));
+    }
+    switch (job.side) {
+    case ExportJob::Side::AsSeen:
+        request.camera = job.source.camera;
+        break;
+    case ExportJob::Side::Face:
+        request.side = render::ViewSide::Front;
+        break;
+    case ExportJob::Side::Back:
+        request.side = render::ViewSide::Back;
+        break;
+    }
+    request.section = job.source.section;
+    request.keep = job.source.keep;
+    request.width = job.width;
+    request.height = job.height;
+    request.dark = job.source.dark;
+    request.transparent = job.transparent;
+    request.progress = partOf(progress, 0, kDrawn);
+    const auto image = render::renderFabric(request);
+    if (!image) {
+        return Result<Written>::failure(image.diagnostics());
+    }
+    return render::writePng(job.path, image.value(), partOf(progress, kDrawn, 1));
+}
+
+Result<Written> writeGeometry(const ExportJob& job, const Progress& progress) {
+    constexpr double kShaped = 0.2;
+    const ExportSource& source = job.source;
+    std::optional<exports::Shape> shape;
+    if (source.curves) {
+        shape = exports::shapeOf(source.fabric, source.yarns, *source.curves, source.places);
+    } else {
+        shape = exports::shapeAt(source.fabric, source.yarns, source.places, partOf(progress, 0, kShaped));
+    }
+    if (!shape) {
+        return Diagnostic{.id = "KS0009", .place = {.file = job.path.string()}, .arguments = {}};
+    }
+    const bool seenFromBehind = std::cos(source.camera.yaw) < 0;
+    const bool back =
+        job.side == ExportJob::Side::Back || (job.side == ExportJob::Side::AsSeen && seenFromBehind);
+    return exports::writeShape(job.path, *shape, {.back = back}, partOf(progress, kShaped, 1));
+}
+
+} // namespace
+
+bool isPicture(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension == ".png";
+}
+
+Result<Written> writeExport(const ExportJob& job, const Progress& progress) {
+    return isPicture(job.path) ? writePicture(job, progress) : writeGeometry(job, progress);
+}
+
+} // namespace knittsim::ui

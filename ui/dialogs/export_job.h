@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/base/file.h"
+#include "core/base/progress.h"
+#include "core/fabric/fabric.h"
+#include "core/geometry/yarn_curve.h"
+#include "core/yarn/yarn.h"
+#include "ui/render/camera.h"
+#include "ui/render/look.h"
+#include "ui/render/section.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace knittsim::ui {
+
+/// What is shown at the moment: what an export writes. Plain value.
+struct ExportSource {
+    std::shared_ptr<const fabric::Fabric> fabric;       ///< not null
+    std::vector<float> places;                          ///< 3 per entry, mm; empty: as the machine leaves it
+    std::shared_ptr<const geometry::YarnCurves> curves; ///< of the yarn model; null where there are none
+    std::vector<yarn::Yarn> yarns;                      ///< by carrier
+    render::DrawStyle style = render::DrawStyle::Yarn;
+    render::CameraState camera;
+    std::optional<render::Section> section;
+    std::vector<bool> keep; ///< by bonding point: what pictures show; empty: all
+    bool dark = false;
+};
+
+struct ExportJob {
+    enum class Side : std::uint8_t { AsSeen, Face, Back };
+
+    ExportSource source;
+    std::filesystem::path path; ///< its extension chooses the format: .png or one of core/export
+    Side side = Side::AsSeen;   ///< pictures and drawings
+    int width = 1920;           ///< of a picture, pixels
+    int height = 1200;
+    bool transparent = false; ///< picture without background
+};
+
+constexpr int kMostExportPixels = 8192;
+
+/// Pictures have this format; all others are core/export's.
+bool isPicture(const std::filesystem::path& path);
+
+/// Writes the file; on any thread. Nothing is left of it when it fails or is cancelled.
+Result<Written> writeExport(const ExportJob& job, const Progress& progress);
+
+} // namespace knittsim::ui

@@ -1,0 +1,231 @@
+#include "ui/views/fabric_view/annotation_painter.h"
+
+#include "ui/render/look.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace knittsim::ui {
+
+namespace {
+
+constexpr double kInchMm = 25.4;
+constexpr float kSeenFlat = 0.5F; ///< cosine to the fabric's normal below which its width is not told
+constexpr double kGuidePixels = 44;
+
+QPointF onScreen(const CanvasContent& content, const Vec3f& place) {
+    const Vec3f p = content.camera.project(place);
+    return {p.x(), p.y()};
+}
+
+QColor toQt(yarn::Colour c) {
+    return {c.r, c.g, c.b};
+}
+
+/// Text on a ground of its own.
+void paintLabel(QPainter& painter, QPointF centre, const QString& text, const QColor& ink,
+                const QColor& ground) {
+    QRectF box(QPointF(), painter.fontMetrics().size(Qt::TextSingleLine, text) + QSize(10, 2));
+    box.moveCenter(centre);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ground);
+    painter.drawRoundedRect(box, 4, 4);
+    painter.setPen(ink);
+    painter.drawText(box, Qt::AlignCenter, text);
+}
+
+/// A line with a bar at both ends, in two widths so that it is seen on yarn too.
+void paintMeasure(QPainter& painter, QPointF from, QPointF to, const OverlayInk& ink) {
+    const QPointF way = to - from;
+    const double length = std::hypot(way.x(), way.y());
+    if (length < 1) {
+        return;
+    }
+    const QPointF across = 5 / length * QPointF(-way.y(), way.x());
+    for (const QPen& pen : {QPen(ink.ground, 4), QPen(ink.ink, 1.4)}) {
+        painter.setPen(pen);
+        painter.drawLine(from, to);
+        painter.drawLine(from - across, from + across);
+        painter.drawLine(to - across, to + across);
+    }
+}
+
+/// One dimension along the edge from `a` to `b`, beside it on the side away from `middle`, and always inside
+/// the picture.
+void paintEdge(QPainter& painter, QSize size, QPointF a, QPointF b, QPointF middle, const QString& text,
+               const OverlayInk& ink) {
+    constexpr double kAway = 16;
+    constexpr double kMargin = 14;
+    const QPointF way = b - a;
+    const double length = std::hypot(way.x(), way.y());
+    if (length < 30) {
+        return; // no room
+    }
+    QPointF out = 1 / length * QPointF(-way.y(), way.x());
+    if (QPointF::dotProduct(out, 0.5 * (a + b) - middle) < 0) {
+        out = -out;
+    }
+    const QPointF centre = 0.5 * (a + b) + kAway * out;
+    const bool upright = std::abs(way.y()) > std::abs(way.x());
+    const double half = 0.5 * painter.fontMetrics().horizontalAdvance(text) + kMargin;
+    const auto inside = [](double value, double margin, double end) {
+        return std::clamp(value, std::min(margin, end / 2), std::max(end - margin, end / 2));
+    };
+    const QPointF label(inside(centre.x(), upright ? kMargin : half, size.width()),
+                        inside(centre.y(), upright ? half : kMargin, size.height()));
+    // The line moves only across; its ends stay those of the fabric.
+    const QPointF moved = QPointF::dotProduct(label - centre, out) * out;
+    paintMeasure(painter, a + kAway * out + moved, b + kAway * out + moved, ink);
+    painter.save();
+    painter.translate(label);
+    if (upright) {
+        painter.rotate(-90);
+    }
+    paintLabel(painter, {}, text, ink.ink, ink.ground);
+    painter.restore();
+}
+
+/// "22.2 mm (0.87 in), 140 wales in 10 cm"; without the second part where the spacing is not known.
+QString dimensionText(double millimetres, double spacingMm, const QString& gauge) {
+    constexpr double kGaugeMm = 100;
+    return spacingMm > 0 ? QStringLiteral("%1 \u00b7 %2")
+                               .arg(lengthText(millimetres),
+                                    gauge.arg(QLocale().toString(kGaugeMm / spacingMm, 'f', 1)))
+                         : lengthText(millimetres);
+}
+
+} // namespace
+
+QString lengthText(double millimetres) {
+    return QCoreApplication::translate("FabricView", "%1 mm (%2 in)")
+        .arg(QLocale().toString(millimetres, 'f', 1), QLocale().toString(millimetres / kInchMm, 'f', 2));
+}
+
+OverlayInk overlayInk(bool dark) {
+    const render::MeshColours colours = render::meshColours(dark);
+    return dark ? OverlayInk{QColor(235, 237, 240), QColor(20, 22, 25, 215), toQt(colours.foot),
+                             toQt(colours.head)}
+                : OverlayInk{QColor(32, 36, 42), QColor(255, 255, 255, 215), toQt(colours.foot),
+                             toQt(colours.head)};
+}
+
+void paintDimensions(QPainter& painter, QSize size, const CanvasContent& content,
+                     const Annotations& annotations, const OverlayInk& ink) {
+    const geometry::Bounds& box = content.scene->bounds;
+    if (box.empty() || std::abs(content.camera.towardsViewer().z()) < kSeenFlat) {
+        return;
+    }
+    const float z = box.centre().z();
+    const auto corner = [&](float x, float y) { return onScreen(content, {x, y, z}); };
+    const QPointF middle = onScreen(content, box.centre());
+    const geometry::Measurement measured = annotations.size.value_or(geometry::Measurement());
+    paintEdge(painter, size, corner(box.low.x(), box.low.y()), corner(box.high.x(), box.low.y()), middle,
+              dimensionText(box.size().x(), measured.waleSpacingMm,
+                            QCoreApplication::translate("FabricView", "%1 wales in 10 cm")),
+              ink);
+    // On the left of the picture, whichever side is seen.
+    const float left = content.camera.towardsViewer().z() > 0 ? box.low.x() : box.high.x();
+    paintEdge(painter, size, corner(left, box.low.y()), corner(left, box.high.y()), middle,
+              dimensionText(box.size().y(), measured.courseSpacingMm,
+                            QCoreApplication::translate("FabricView", "%1 courses in 10 cm")),
+              ink);
+}
+
+int guideStep(double spacingMm, double millimetresPerPixel) {
+    if (!(spacingMm > 0) || !(millimetresPerPixel > 0)) {
+        return 1;
+    }
+    const double least = kGuidePixels * millimetresPerPixel / spacingMm;
+    int step = 1;
+    for (int i = 0; step < least && i < 15; ++i) {
+        step = i % 3 == 1 ? step * 5 / 2 : step * 2;
+    }
+    return step;
+}
+
+void paintGuides(QPainter& painter, const CanvasContent& content, const Annotations& annotations,
+                 const OverlayInk& ink) {
+    if (!annotations.lattice || !annotations.size) {
+        return;
+    }
+    const geometry::StitchLattice& lattice = *annotations.lattice;
+    const double perPixel = content.camera.millimetresPerPixel();
+    const auto paint = [&](int lines, int length, int step, const QColor& colour, const auto& placeAt) {
+        for (int line = 0; line < lines; ++line) {
+            const int number = line + 1;
+            if (number % step != 0 && number != 1) {
+                continue;
+            }
+            QPolygonF polygon;
+            for (int i = 0; i < length; ++i) {
+                if (const std::optional<Vec3f>& place = placeAt(line, i)) {
+                    polygon << onScreen(content, *place);
+                }
+            }
+            if (polygon.size() < 2) {
+                continue;
+            }
+            painter.setBrush(Qt::NoBrush);
+            for (const QPen& pen : {QPen(ink.ground, 3), QPen(colour, 1.5)}) {
+                painter.setPen(pen);
+                painter.drawPolyline(polygon);
+            }
+            paintLabel(painter, polygon.back(), QLocale().toString(number), colour, ink.ground);
+        }
+    };
+    paint(
+        lattice.courses, lattice.wales, guideStep(annotations.size->courseSpacingMm, perPixel),
+        ink.course, [&](int course, int wale) -> const auto& { return lattice.at(wale, course); });
+    paint(
+        lattice.wales, lattice.courses, guideStep(annotations.size->waleSpacingMm, perPixel),
+        ink.wale, [&](int wale, int course) -> const auto& { return lattice.at(wale, course); });
+}
+
+void paintProblems(QPainter& painter, const CanvasContent& content, const Annotations& annotations) {
+    constexpr double kRadius = 9;
+    QFont bold = painter.font();
+    bold.setBold(true);
+    painter.save();
+    painter.setFont(bold);
+    for (const Annotations::Mark& mark : annotations.problems) {
+        const QPointF centre = onScreen(content, mark.place);
+        const bool error = mark.severity == Severity::Error;
+        const bool warning = mark.severity == Severity::Warning;
+        painter.setPen(QPen(QColor(255, 255, 255), 1.6));
+        painter.setBrush(error ? QColor(190, 30, 30) : warning ? QColor(150, 90, 0) : QColor(40, 90, 160));
+        painter.drawEllipse(centre, kRadius, kRadius);
+        painter.setPen(Qt::white);
+        painter.drawText(QRectF(centre.x() - kRadius, centre.y() - kRadius, 2 * kRadius, 2 * kRadius),
+                         Qt::AlignCenter,
+                         error     ? QStringLiteral("\u00d7")
+                         : warning ? QStringLiteral("!")
+                                   : QStringLiteral("i"));
+    }
+    painter.restore();
+}
+
+void paintTape(QPainter& painter, const CanvasContent& content, const Annotations& annotations,
+               const OverlayInk& ink) {
+    if (annotations.tape.empty()) {
+        return;
+    }
+    const Vec3f from = annotations.tape.front();
+    const std::optional<Vec3f> to =
+        annotations.tape.size() > 1 ? std::optional(annotations.tape.back()) : annotations.tapeEnd;
+    const QPointF start = onScreen(content, from);
+    painter.setPen(QPen(ink.ground, 2));
+    painter.setBrush(ink.ink);
+    painter.drawEllipse(start, 4, 4);
+    if (to) {
+        const QPointF end = onScreen(content, *to);
+        paintMeasure(painter, start, end, ink);
+        paintLabel(painter, 0.5 * (start + end) + QPointF(0, -16), lengthText((*to - from).norm()), ink.ink,
+                   ink.ground);
+    }
+}
+
+} // namespace knittsim::ui

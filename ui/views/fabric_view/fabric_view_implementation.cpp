@@ -1,0 +1,176 @@
+#include "ui/views/fabric_view/fabric_view_implementation.h"
+
+#include "core/machine/needle.h"
+#include "ui/render/scene_picking.h"
+
+#include <QTimer>
+
+#include <utility>
+
+namespace knittsim::ui {
+
+namespace {
+
+constexpr float kPickPixels = 3; ///< how far beside the yarn a click still counts
+
+QVector3D toQt(const Vec3f& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+} // namespace
+
+FabricView::Implementation::Implementation(FabricView& owner)
+    : view(owner), worker([&owner] {
+          QMetaObject::invokeMethod(
+              &owner, [&owner] { owner.m->takePicture(); }, Qt::QueuedConnection);
+      }) {}
+
+void FabricView::Implementation::makeCanvas() {
+    // For comparing and for machines whose driver misbehaves: window, thread or none.
+    const QByteArray wanted = qgetenv("KNITTSIM_OPENGL");
+    if (wanted.isEmpty() || wanted == "window") {
+        canvas = makeGlCanvas(
+            &view, content, [this](const QString& reason) { useFlatCanvas(reason); }, glReason);
+    }
+    if (!canvas && wanted != "none") {
+        canvas = makeThreadedCanvas(&view, content, glReason);
+    }
+    if (wanted == "none") {
+        glReason = tr("OpenGL is switched off.");
+    }
+    if (!canvas) {
+        const QString reason = glReason;
+        useFlatCanvas(reason);
+    }
+}
+
+void FabricView::Implementation::useFlatCanvas(const QString& reason) {
+    hasGl = false;
+    glReason = tr("%1 The fabric is drawn flat.").arg(reason);
+    canvas = makeFlatCanvas(&view, content);
+    if (overlay != nullptr) {
+        overlay->setMessage(glReason);
+        placeChildren();
+    }
+    // Also when this happens in the constructor: then somebody has connected by now.
+    QTimer::singleShot(0, &view, [this] { emit view.glFailed(glReason); });
+}
+
+void FabricView::Implementation::placeChildren() {
+    content.camera.setViewport(view.width(), view.height());
+    canvas->widget()->setGeometry(view.rect());
+    canvas->widget()->show();
+    overlay->setGeometry(view.rect());
+    overlay->raise();
+}
+
+void FabricView::Implementation::request() {
+    if (fabric) {
+        worker.post({fabric, content.looks, style, frame, yarn, content.colourBy});
+    }
+}
+
+void FabricView::Implementation::takePicture() {
+    auto picture = worker.take();
+    // A picture of a fabric that was replaced meanwhile is of no use: its successor is under way.
+    if (!picture || picture->fabric != fabric) {
+        return;
+    }
+    wholeScene = std::move(picture->scene);
+    shownFabric = std::move(picture->fabric);
+    showParts();
+    content.camera.setScene(content.scene->bounds);
+    placeMarks();
+    if ((fitPending || (following && followFit)) && !content.scene->bounds.empty()) {
+        fitPending = false;
+        content.camera.fit(content.scene->bounds);
+    }
+    changed();
+}
+
+void FabricView::Implementation::changed() {
+    const bool allHasRun = shownFabric && shownFabric->points.empty() && !shownFabric->loops.empty();
+    overlay->setMessage(allHasRun                  ? tr("All of the fabric has run")
+                        : !hasGl                   ? glReason
+                        : content.scene == nullptr ? tr("No fabric yet")
+                                                   : QString());
+    canvas->refresh();
+}
+
+void FabricView::Implementation::moveCamera(const std::function<void(render::Camera&)>& move) {
+    followFit = false;
+    move(content.camera);
+    overlay->update();
+    canvas->refresh();
+}
+
+void FabricView::Implementation::look(render::ViewSide side) {
+    moveCamera([side](render::Camera& camera) { camera.look(side); });
+}
+
+std::optional<geometry::Pick> FabricView::Implementation::pickAt(QPointF where) const {
+    if (!content.scene || !shownFabric) {
+        return std::nullopt;
+    }
+    const render::Camera& camera = content.camera;
+    return render::pickScene(*content.scene, *shownFabric,
+                             camera.rayAt(static_cast<float>(where.x()), static_cast<float>(where.y())),
+                             kPickPixels * camera.millimetresPerPixel(), content.section);
+}
+
+void FabricView::Implementation::hover(int loop) {
+    if (loop != content.hovered) {
+        content.hovered = loop;
+        canvas->refresh();
+        emit view.loopHovered(loop);
+    }
+}
+
+Vec3f FabricView::Implementation::placeOf(fabric::EntryIndex entry) const {
+    const std::size_t i = 3 * static_cast<std::size_t>(entry);
+    if (fabric == shownFabric && i + 2 < places.size()) {
+        return {places[i], places[i + 1], places[i + 2]};
+    }
+    return shownFabric->machinePositions[static_cast<std::size_t>(entry)].cast<float>();
+}
+
+void FabricView::Implementation::placeMarks() {
+    const bool known = shownFabric && shownFabric == fabric;
+    const auto placeOfPoint = [&](int point) -> std::optional<Vec3f> {
+        const bool there = known && point >= 0 && static_cast<std::size_t>(point) < fabric->points.size();
+        return there ? std::optional(placeOf(fabric->points[static_cast<std::size_t>(point)].entry))
+                     : std::nullopt;
+    };
+    content.mark = placeOfPoint(selectedPoint);
+    content.pins.clear();
+    for (const int point : pins) {
+        if (const auto place = placeOfPoint(point)) {
+            content.pins.push_back(*place);
+        }
+    }
+    const auto held = gesture == Gesture::Pull && pullTarget ? placeOfPoint(pulled.point) : std::nullopt;
+    content.pull = held ? std::optional(std::pair(*held, *pullTarget)) : std::nullopt;
+    overlay->update();
+}
+
+/// The pulled point moves in the plane through where it was caught, parallel to the picture.
+void FabricView::Implementation::pullTo(QPointF where) {
+    const render::Camera& camera = content.camera;
+    const auto ray = camera.rayAt(static_cast<float>(where.x()), static_cast<float>(where.y()));
+    if (const auto place = geometry::meetPlane(ray, pulled.place, camera.towardsViewer())) {
+        pullTarget = *place;
+        placeMarks();
+        emit view.dragMoved(pulled.point, toQt(*place));
+    }
+}
+
+QString FabricView::Implementation::describe(int loop) const {
+    if (describer) {
+        return describer(loop);
+    }
+    const auto i = static_cast<std::size_t>(loop);
+    const QString needle = QString::fromStdString(machine::toString(shownFabric->made.loops[i].needle));
+    return tr("Stitch on needle %1, course %2").arg(needle).arg(shownFabric->loops[i].course + 1);
+}
+
+} // namespace knittsim::ui

@@ -1,0 +1,103 @@
+#include "ui/dialogs/export_dialog.h"
+#include "ui/document/operation_text.h"
+#include "ui/views/fabric_view/fabric_view.h"
+#include "ui/views/style/appearance.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMenu>
+#include <QStatusBar>
+
+#include <algorithm>
+#include <utility>
+
+namespace knittsim::ui {
+
+void MainWindow::buildOverlayMenu(QMenu* view) {
+    QMenu* menu = view->addMenu(tr("&Overlays"));
+    menu->setObjectName(QStringLiteral("overlayMenu"));
+    const auto add = [&](const char* name, const QString& text, const QKeySequence& keys, auto set) {
+        QAction* action = addChoice(menu, nullptr, name, text, keys, {}, [] {});
+        connect(action, &QAction::toggled, this, [this, set](bool on) { (m_fabric->*set)(on); });
+    };
+    add("actionLegend", tr("Legend of the &mesh"), Qt::ALT | Qt::Key_4, &FabricView::setLegend);
+    add("actionDimensions", tr("&Dimensions and gauge"), Qt::ALT | Qt::Key_5, &FabricView::setDimensions);
+    add("actionMarks", tr("Signs at &problems"), Qt::ALT | Qt::Key_6, &FabricView::setProblemMarks);
+    add("actionGuides", tr("&Lines along courses and wales"), Qt::Key_G, &FabricView::setGuides);
+    add("actionSection", tr("&Section parallel to the picture"), Qt::Key_X, &FabricView::setSection);
+    add("actionTape", tr("Measuring &tape"), Qt::Key_M, &FabricView::setTaping);
+    menu->addSeparator();
+    const auto addAlone = [&](const char* name, const QString& text, const QKeySequence& keys,
+                              FabricView::Alone what) {
+        QAction* action = addChoice(menu, nullptr, name, text, keys, {}, [this, what] {
+            const bool again = m_fabric->alone() == what;
+            if (!m_fabric->showAlone(again ? FabricView::Alone::Nothing : what)) {
+                statusBar()->showMessage(tr("Select a stitch first, or point at one"), 5000);
+            }
+            takeActions();
+        });
+        action->setToolTip(tr("%1: hides all but that of the selected stitch").arg(action->toolTip()));
+    };
+    addAlone("actionYarnAlone", tr("Only this &yarn"), Qt::Key_I, FabricView::Alone::Yarn);
+    addAlone("actionCourseAlone", tr("Only this &course"), Qt::SHIFT | Qt::Key_I, FabricView::Alone::Course);
+}
+
+/// Signs at the stitches that have problems.
+void MainWindow::markProblems() {
+    std::vector<LoopProblem> marks;
+    for (const auto& [loop, problem] : m_document.problemMarks()) {
+        marks.push_back({static_cast<int>(loop), problem.severity});
+    }
+    m_fabric->setProblems(std::move(marks));
+}
+
+QString MainWindow::describeLoop(int loop) const {
+    const auto file = m_document.file();
+    const auto& loops = file->timeline->loops();
+    if (static_cast<std::size_t>(loop) >= loops.loops.size()) {
+        return {};
+    }
+    const machine::Loop& made = loops.loops[static_cast<std::size_t>(loop)];
+    const auto& carriers = m_document.carriers();
+    return document::stitchText(file->timeline->program(), loops, *file->grid, loop) + u'\n' +
+           tr("%1, %2 mm of yarn in the loop")
+               .arg(made.carrier < carriers.size() ? QString::fromStdString(carriers[made.carrier].yarn.name)
+                                                   : QString(),
+                    QLocale().toString(made.lengthMm, 'f', 2));
+}
+
+void MainWindow::exportShown() {
+    ExportSource source;
+    source.fabric = m_document.shownFabric();
+    if (!source.fabric) {
+        return;
+    }
+    if (m_document.showsYarn()) {
+        const auto picture = m_document.yarnRun().shape()->picture;
+        source.curves = {picture, &picture->curves};
+        source.places = picture->positions;
+    } else if (const auto frame = m_document.shownFrame()) {
+        source.places = frame->positions;
+    }
+    for (const document::CarrierYarn& carrier : m_document.carriers()) {
+        source.yarns.push_back(carrier.yarn);
+    }
+    source.style = m_fabric->style();
+    source.camera = m_fabric->cameraState();
+    source.section = m_fabric->section();
+    source.keep = m_fabric->shownPoints();
+    source.dark = isDark(palette());
+    const QString name = QFileInfo(m_document.title()).completeBaseName();
+    auto* dialog =
+        new ExportDialog(std::move(source), m_session.lastFolder() + u'/' + name, m_fabric->size(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &ExportDialog::written, this, [this](const QString& path) {
+        m_session.setLastFolder(QFileInfo(path).absolutePath());
+        statusBar()->showMessage(tr("Written to %1").arg(path), 5000);
+    });
+    dialog->open();
+}
+
+} // namespace knittsim::ui
