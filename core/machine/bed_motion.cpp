@@ -297,8 +297,8 @@ void BedMotion::addNeedles(BedPicture& picture, double t, BedWindow window) cons
 
 void BedMotion::addLinks(BedPicture& picture, double t, BedWindow window) const {
     const auto visible = [&](const SeenLink& link) {
-        const auto [low, high] = std::minmax(positionPitches(link.from.needle, picture.rack),
-                                             positionPitches(link.to.needle, picture.rack));
+        const auto [low, high] = std::minmax(
+            {positionPitches(link.from.needle, picture.rack), positionPitches(link.to.needle, picture.rack)});
         return high >= window.first && low <= window.last;
     };
     for (const Link& link : m_links) {

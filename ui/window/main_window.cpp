@@ -83,7 +83,7 @@ MainWindow::~MainWindow() {
     hide();
     for (QWidget* view :
          std::initializer_list<QWidget*>{m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock,
-                                         m_problemDock, m_toolBar, m_status, centralWidget()}) {
+                                         m_problemDock, m_bedDock, m_toolBar, m_status, centralWidget()}) {
         delete view;
     }
 }
@@ -303,7 +303,8 @@ void MainWindow::showGallery() {
         m_arrangement = saveState();
     }
     m_pages->setCurrentWidget(m_gallery);
-    for (QDockWidget* dock : {m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock, m_problemDock}) {
+    for (QDockWidget* dock :
+         {m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock, m_problemDock, m_bedDock}) {
         dock->hide();
     }
     m_toolBar->hide();

@@ -19,6 +19,7 @@ class DiagnosticsPanel;
 class FabricView;
 class Gallery;
 class HistoryCard;
+class NeedleBeds;
 class PatternGrid;
 class SimulationPanel;
 class SourceView;
@@ -108,6 +109,7 @@ private:
     StepPlayer* m_player = nullptr;
     PatternGrid* m_grid = nullptr;
     SourceView* m_source = nullptr;
+    NeedleBeds* m_beds = nullptr;
     YarnPanel* m_yarns = nullptr;
     SimulationPanel* m_simulation = nullptr;
     DiagnosticsPanel* m_problems = nullptr;
@@ -117,6 +119,7 @@ private:
     QDockWidget* m_yarnDock = nullptr;
     QDockWidget* m_simulationDock = nullptr;
     QDockWidget* m_problemDock = nullptr;
+    QDockWidget* m_bedDock = nullptr;
     QToolBar* m_toolBar = nullptr;
     QToolButton* m_problemButton = nullptr;
     QMenu* m_recentMenu = nullptr;

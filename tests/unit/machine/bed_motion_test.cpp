@@ -121,6 +121,15 @@ TEST_P(RandomMotion, AWindowShowsAPartOfTheWhole) {
             ASSERT_EQ(needle, find(whole, needle.needle));
         }
         ASSERT_EQ(part.carriers, whole.carriers);
+        std::vector<SeenLink> touching;
+        for (const SeenLink& link : whole.links) {
+            const double a = positionPitches(link.from.needle, whole.rack);
+            const double b = positionPitches(link.to.needle, whole.rack);
+            if (std::max(a, b) >= window.first && std::min(a, b) <= window.last) {
+                touching.push_back(link);
+            }
+        }
+        ASSERT_EQ(part.links, touching);
     }
 }
 

@@ -231,7 +231,7 @@ QString FabricView::Implementation::describe(int loop) const {
 
 void FabricView::setFabric(std::shared_ptr<const fabric::Fabric> fabric,
                            std::vector<render::YarnLook> looks) {
-    m->fitPending = m->fitPending || !m->fabric || m->fabric->points.empty();
+    m->fitPending = m->fitPending || !m->fabric;
     m->fabric = std::move(fabric);
     m->content.looks = std::move(looks);
     m->frame.reset();

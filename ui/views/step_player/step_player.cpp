@@ -121,7 +121,7 @@ void StepPlayer::build() {
     connect(last, &QToolButton::clicked, this, [this] { m_document.setStep(m_document.operationCount()); });
     connect(m_slider, &QSlider::valueChanged, this, [this](int value) { m_document.setStep(value); });
     connect(m_speed, &QComboBox::currentIndexChanged, this,
-            [this] { m_playback.setSpeed(m_speed->currentData().toInt()); });
+            [this] { setSpeed(m_speed->currentData().toInt()); });
     showSpeed();
 }
 
@@ -129,9 +129,16 @@ void StepPlayer::showSpeed() {
     m_speed->setCurrentIndex(m_speed->findData(m_playback.speed()));
 }
 
-void StepPlayer::changeSpeed(int direction) {
-    m_playback.changeSpeed(direction);
+void StepPlayer::setSpeed(int operationsPerSecond) {
+    m_playback.setSpeed(operationsPerSecond);
     showSpeed();
+    emit speedChanged(operationsPerSecond);
+}
+
+void StepPlayer::changeSpeed(int direction) {
+    Playback next = m_playback;
+    next.changeSpeed(direction);
+    setSpeed(next.speed());
 }
 
 void StepPlayer::setLargeWords(bool on) {
