@@ -227,7 +227,9 @@ void MainWindow::startSoon() {
     // The eye needs to see the fabric as the machine leaves it, else a small one is at rest before the first
     // picture.
     QTimer::singleShot(kSettleDelayMs, this, [this, file = std::weak_ptr(m_document.file())] {
-        if (file.lock() == m_document.file() && m_document.activity() == document::Activity::Machine) {
+        const document::YarnRun& yarn = m_document.yarnRun(); // somebody was faster
+        if (file.lock() == m_document.file() && m_document.activity() == document::Activity::Machine &&
+            !yarn.running() && !yarn.shape()) {
             m_document.start();
         }
     });

@@ -109,10 +109,11 @@ TEST(PhaseText, SaysNothingAtRestAndSomethingWhileNeedlesMove) {
                                      OperationKind::Xfer, OperationKind::Drop, OperationKind::Rack}) {
         machine::Operation operation;
         operation.kind = kind;
-        EXPECT_TRUE(phaseText(operation, 0).isEmpty());
-        EXPECT_TRUE(phaseText(operation, 1).isEmpty());
+        EXPECT_TRUE(phaseText(operation, 0, true).isEmpty());
+        EXPECT_TRUE(phaseText(operation, 1, true).isEmpty());
         for (const double phase : {0.01, 0.3, 0.5, 0.58, 0.7, 0.95}) {
-            EXPECT_FALSE(phaseText(operation, phase).isEmpty());
+            EXPECT_FALSE(phaseText(operation, phase, true).isEmpty());
+            EXPECT_FALSE(phaseText(operation, phase, false).contains("old loop"));
         }
     }
 }

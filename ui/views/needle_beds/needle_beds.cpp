@@ -213,7 +213,11 @@ void NeedleBeds::paintEvent(QPaintEvent*) {
     paintNames(painter, above.rack);
     if (const auto place = workingPlace(); place && !m_side.isEmpty()) {
         const machine::BedPicture near = m_motion->at(m_clock.phase(), {*place - 0.6, *place + 0.6});
-        SidePainter(painter, m_side, scene(near), *place).paint(phaseText(operation, m_clock.phase()));
+        const auto before = m_motion->at(0, {*place - 0.6, *place + 0.6}).needles;
+        const auto worked = std::ranges::find(before, operation.needle, &machine::SeenNeedle::needle);
+        const bool holdsLoop = worked != before.end() && !worked->loops.empty();
+        SidePainter(painter, m_side, scene(near), *place)
+            .paint(phaseText(operation, m_clock.phase(), holdsLoop));
     }
     if (hasFocus()) {
         painter.setRenderHint(QPainter::Antialiasing, false);

@@ -15,23 +15,44 @@ QString tr(const char* text) {
     return QCoreApplication::translate("phases", text);
 }
 
-QString stitchText(OperationKind kind, double t) {
-    const bool tuck = kind == OperationKind::Tuck;
+/// On an empty needle the yarn is just hung up.
+QString hangText(double t) {
     if (t < kArrived) {
         return tr("The carriage comes");
     }
     if (t < kRisen) {
-        return tuck ? tr("The needle rises half: the old loop stays on the latch")
-                    : tr("The needle rises: the old loop slides behind the latch");
+        return tr("The empty needle rises");
+    }
+    return t < kSinks ? tr("The carrier lays the yarn into the hook")
+                      : tr("The needle sinks with its first loop");
+}
+
+QString knitText(double t) {
+    if (t < kArrived) {
+        return tr("The carriage comes");
+    }
+    if (t < kRisen) {
+        return tr("The needle rises: the old loop slides behind the latch");
     }
     if (t < kSinks) {
         return tr("The carrier lays the yarn into the hook");
     }
-    if (t < kKnockOver) {
-        return tuck ? tr("The needle sinks: both loops lie in the hook")
-                    : tr("The needle sinks: the old loop shuts the latch");
+    return t < kKnockOver ? tr("The needle sinks: the old loop shuts the latch")
+                          : tr("Knock-over: the old loop hangs in the new one");
+}
+
+QString tuckText(double t) {
+    if (t < kArrived) {
+        return tr("The carriage comes");
     }
-    return tuck ? tr("Tuck: the old loop is kept") : tr("Knock-over: the old loop hangs in the new one");
+    if (t < kRisen) {
+        return tr("The needle rises half: the old loop stays on the latch");
+    }
+    if (t < kSinks) {
+        return tr("The carrier lays the yarn into the hook");
+    }
+    return t < kKnockOver ? tr("The needle sinks: both loops lie in the hook")
+                          : tr("Tuck: the old loop is kept");
 }
 
 QString transferText(bool split, double t) {
@@ -56,25 +77,38 @@ QString dropText(double t) {
     return t < kKnockOver ? tr("The needle sinks: the loop shuts the latch") : tr("The loop falls off");
 }
 
+QString emptyText(OperationKind kind, double t) {
+    switch (kind) {
+    case OperationKind::Knit:
+    case OperationKind::Tuck:
+    case OperationKind::Split:
+        return hangText(t);
+    default:
+        return tr("The needle holds no loop");
+    }
+}
+
 } // namespace
 
-QString phaseText(const machine::Operation& operation, double phase) {
+QString phaseText(const machine::Operation& operation, double phase, bool holdsLoop) {
     if (phase <= 0 || phase >= 1) {
         return {};
     }
     switch (operation.kind) {
-    case OperationKind::Knit:
-    case OperationKind::Tuck:
-        return stitchText(operation.kind, phase);
-    case OperationKind::Xfer:
-    case OperationKind::Split:
-        return transferText(operation.kind == OperationKind::Split, phase);
-    case OperationKind::Drop:
-        return dropText(phase);
     case OperationKind::Miss:
         return tr("The carrier passes, the needle stays down");
     case OperationKind::Rack:
         return tr("The rear bed moves");
+    case OperationKind::Knit:
+        return holdsLoop ? knitText(phase) : emptyText(operation.kind, phase);
+    case OperationKind::Tuck:
+        return holdsLoop ? tuckText(phase) : emptyText(operation.kind, phase);
+    case OperationKind::Xfer:
+    case OperationKind::Split:
+        return holdsLoop ? transferText(operation.kind == OperationKind::Split, phase)
+                         : emptyText(operation.kind, phase);
+    case OperationKind::Drop:
+        return holdsLoop ? dropText(phase) : emptyText(operation.kind, phase);
     default:
         return {};
     }
