@@ -26,7 +26,7 @@ const QString kOrthographic = QStringLiteral("window/orthographic");
 const QString kLegend = QStringLiteral("window/legend");
 const QString kHistory = QStringLiteral("window/history");
 
-constexpr int kTeachingSpeed = 1; ///< operations a second, so that their phases are seen
+constexpr double kTeachingSpeed = 0.5; ///< operations a second, so that their phases are seen
 constexpr int kLeftWidth = 320;
 constexpr int kRightWidth = 270;
 /// In a lower window yarns and simulation share one place.
