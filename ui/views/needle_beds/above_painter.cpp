@@ -306,6 +306,16 @@ void AbovePainter::paintCarrier(const machine::SeenCarrier& carrier) {
     m_painter.drawRoundedRect(plate, 0.3 * height, 0.3 * height);
     m_painter.setPen(carrier.in ? inkOn(colour) : m_colours.faint);
     m_painter.drawText(plate, Qt::AlignCenter, name);
+    if (carrier.hooked) { // the inserting hook below it
+        const QPointF top(centre.x(), plate.bottom() + 2);
+        QPainterPath hook(top);
+        hook.lineTo(top + QPointF(0, 0.35 * height));
+        hook.cubicTo(top + QPointF(0, 0.75 * height), top + QPointF(-0.45 * height, 0.75 * height),
+                     top + QPointF(-0.45 * height, 0.3 * height));
+        m_painter.setBrush(Qt::NoBrush);
+        m_painter.setPen(QPen(m_colours.text, 2, Qt::SolidLine, Qt::RoundCap));
+        m_painter.drawPath(hook);
+    }
 }
 
 void AbovePainter::paintNumbers(Bed bed) {

@@ -27,7 +27,7 @@ BedColours::BedColours(const QPalette& palette) {
     bed = dark ? QColor(0x2c323a) : QColor(0xe6e9ee);
     needle = dark ? QColor(0x77818e) : QColor(0xa3acb8);
     busyNeedle = dark ? QColor(0xdfe5ec) : QColor(0x3d4752);
-    edge = dark ? QColor(0x14171b) : QColor(0x6f7986);
+    latch = dark ? QColor(0xaab3bf) : QColor(0x6f7986);
     rail = dark ? QColor(0x454d58) : QColor(0xc3cad3);
     text = palette.color(QPalette::Text);
     faint = accents.faintText;
@@ -46,7 +46,8 @@ void paintYarn(QPainter& painter, const QPainterPath& path, const QColor& colour
         stroke(halo, width + 6);
     }
     if (width > 1.3) {
-        stroke(colour.lightness() < 60 ? colour.lighter(260) : colour.darker(190), width + 1.6);
+        const int darkest = painter.background().color().lightness() < 128 ? 110 : 60;
+        stroke(colour.lightness() < darkest ? colour.lighter(220) : colour.darker(190), width + 1.6);
     }
     stroke(colour, width);
 }

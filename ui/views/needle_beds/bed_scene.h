@@ -33,7 +33,7 @@ struct BedColours {
     QColor bed;
     QColor needle;
     QColor busyNeedle;
-    QColor edge; ///< of needles
+    QColor latch; ///< of a needle at rest
     QColor rail;
     QColor text;
     QColor faint;
@@ -41,7 +41,8 @@ struct BedColours {
     QColor onAccent;
 };
 
-/// A yarn along a path: its colour within a darker (or lighter) edge, so that it stands out from any ground.
+/// A yarn along a path: its colour within a darker (or lighter) edge, so that it stands out from the
+/// painter's background.
 void paintYarn(QPainter& painter, const QPainterPath& path, const QColor& colour, double width,
                const QColor& halo = {});
 

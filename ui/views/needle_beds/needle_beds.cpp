@@ -184,6 +184,7 @@ void NeedleBeds::paintEvent(QPaintEvent*) {
     }
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(m_face);
+    painter.setBackground(palette().color(QPalette::Base));
     std::vector<QColor> yarns;
     for (const document::CarrierYarn& carrier : m_document.carriers()) {
         const yarn::Colour& c = carrier.yarn.colour;

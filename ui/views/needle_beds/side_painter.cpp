@@ -128,7 +128,7 @@ void SidePainter::paintNeedle(const Axis& axis, const SeenNeedle& needle) {
     const double pivot = tip - m_hook - 0.25 * m_stroke;
     const double angle = kClosedLatch + (kOpenLatch - kClosedLatch) * needle.latch;
     m_painter.setPen(
-        QPen(works ? m_colours.accent : m_colours.edge, 0.55 * width, Qt::SolidLine, Qt::RoundCap));
+        QPen(works ? m_colours.accent : m_colours.latch, 0.55 * width, Qt::SolidLine, Qt::RoundCap));
     m_painter.drawLine(axis.at(pivot, 0),
                        axis.at(pivot + length * std::cos(angle), length * std::sin(angle)));
 }
