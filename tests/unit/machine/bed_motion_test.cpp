@@ -244,6 +244,17 @@ TEST(BedMotion, TheCarriageGoesWithTheOperations) {
     EXPECT_FALSE(workingNeedle(timeline.program(), 0));
 }
 
+TEST(BedMotion, SlidersAreThereWhileTheyHoldLoops) {
+    const Timeline timeline = test::timeline(std::string(kCourse) + "xfer f2 bs2\nxfer bs2 f2\n");
+    const auto sliders = [](const BedPicture& picture) {
+        return std::ranges::count_if(picture.needles,
+                                     [](const SeenNeedle& needle) { return isSlider(needle.needle.bed); });
+    };
+    EXPECT_EQ(sliders(BedMotion(timeline, 4).at(0, kAll)), 0);
+    EXPECT_EQ(sliders(BedMotion(timeline, 4).at(1, kAll)), 1);
+    EXPECT_EQ(sliders(BedMotion(timeline, 5).at(1, kAll)), 0);
+}
+
 TEST(BedMotion, OutsideTheProgramNothingMoves) {
     const Timeline timeline = test::timeline(kCourse);
     EXPECT_EQ(BedMotion(timeline, -1).at(0.5, kAll), BedMotion(timeline, 0).at(0, kAll));
