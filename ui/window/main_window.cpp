@@ -82,7 +82,7 @@ MainWindow::~MainWindow() {
     hide();
     for (QWidget* view :
          std::initializer_list<QWidget*>{m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock,
-                                         m_problemDock, m_toolBar, m_status, centralWidget()}) {
+                                         m_problemDock, m_bedDock, m_toolBar, m_status, centralWidget()}) {
         delete view;
     }
 }
@@ -238,8 +238,9 @@ void MainWindow::startSoon() {
     // The eye needs to see the fabric as the machine leaves it, else a small one is at rest before the first
     // picture.
     QTimer::singleShot(kSettleDelayMs, this, [this, file = std::weak_ptr(m_document.file())] {
+        const document::YarnRun& yarn = m_document.yarnRun(); // somebody was faster
         if (file.lock() == m_document.file() && m_document.activity() == document::Activity::Machine &&
-            !m_document.yarnRun().running()) {
+            !yarn.running() && !yarn.shape()) {
             m_document.start();
         }
     });
@@ -317,7 +318,8 @@ void MainWindow::showGallery() {
         m_arrangement = saveState();
     }
     m_pages->setCurrentWidget(m_gallery);
-    for (QDockWidget* dock : {m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock, m_problemDock}) {
+    for (QDockWidget* dock :
+         {m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock, m_problemDock, m_bedDock}) {
         dock->hide();
     }
     m_toolBar->hide();

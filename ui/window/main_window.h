@@ -21,6 +21,7 @@ class FabricView;
 class Gallery;
 class HistoryCard;
 class MachineChoice;
+class NeedleBeds;
 class PatternGrid;
 class SimulationPanel;
 class SourceView;
@@ -139,6 +140,7 @@ private:
     ChartEditor* m_chart = nullptr;
     QStackedWidget* m_patterns = nullptr; ///< grid or chart
     SourceView* m_source = nullptr;
+    NeedleBeds* m_beds = nullptr;
     YarnPanel* m_yarns = nullptr;
     SimulationPanel* m_simulation = nullptr;
     DiagnosticsPanel* m_problems = nullptr;
@@ -148,6 +150,7 @@ private:
     QDockWidget* m_yarnDock = nullptr;
     QDockWidget* m_simulationDock = nullptr;
     QDockWidget* m_problemDock = nullptr;
+    QDockWidget* m_bedDock = nullptr;
     QToolBar* m_toolBar = nullptr;
     QToolButton* m_problemButton = nullptr;
     MachineChoice* m_machine = nullptr;

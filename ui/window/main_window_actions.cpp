@@ -8,6 +8,7 @@
 #include "ui/views/diagnostics/diagnostics_panel.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/history/history_card.h"
+#include "ui/views/needle_beds/needle_beds.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
 #include "ui/views/simulation_panel/ladder_text.h"
 #include "ui/views/simulation_panel/simulation_panel.h"
@@ -198,6 +199,19 @@ void MainWindow::buildViewMenu() {
     connect(history, &QAction::toggled, this, [this](bool on) { m_history->setSwitchedOn(on); });
     buildOverlayMenu(menu);
     menu->addSeparator();
+    QAction* beds = m_bedDock->toggleViewAction();
+    beds->setObjectName(QStringLiteral("actionNeedleBeds"));
+    beds->setShortcut(Qt::Key_N);
+    beds->setToolTip(tr("Shows the needle beds while they work (N)"));
+    menu->addAction(beds);
+    connect(beds, &QAction::triggered, this, [this](bool on) {
+        if (on) {
+            m_bedDock->raise();
+        }
+    });
+    addAction(menu, "actionFollowNeedle", tr("Follo&w the working needle"), Qt::SHIFT | Qt::Key_N, {},
+              [this] { m_beds->follow(); });
+    menu->addSeparator();
     QMenu* appearance = menu->addMenu(tr("&Appearance"));
     auto* looks = new QActionGroup(this);
     const std::initializer_list<std::tuple<const char*, QString, Appearance>> choices{
@@ -313,13 +327,14 @@ void MainWindow::buildSimulateMenu() {
 void MainWindow::buildWindowMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&Window"));
     menu->setObjectName(QStringLiteral("windowMenu"));
-    for (QDockWidget* dock : {m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock, m_problemDock}) {
+    for (QDockWidget* dock :
+         {m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock, m_problemDock, m_bedDock}) {
         menu->addAction(dock->toggleViewAction());
     }
     menu->addSeparator();
     addAction(menu, "actionLayoutStandard", tr("&Standard layout"), {}, {},
               [this] { applyLayout(Layout::Standard); });
-    addAction(menu, "actionLayoutTeaching", tr("&Teaching layout"), {}, {},
+    addAction(menu, "actionLayoutTeaching", tr("&Teaching layout"), Qt::CTRL | Qt::SHIFT | Qt::Key_T, {},
               [this] { applyLayout(Layout::Teaching); });
     addAction(menu, "actionLayoutChecking", tr("&Checking layout"), {}, {},
               [this] { applyLayout(Layout::Checking); });

@@ -2,6 +2,7 @@
 #include "ui/views/diagnostics/diagnostics_panel.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/history/history_card.h"
+#include "ui/views/needle_beds/needle_beds.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
 #include "ui/views/simulation_panel/simulation_panel.h"
 #include "ui/views/source/source_view.h"
@@ -13,17 +14,20 @@
 #include <QScreen>
 #include <QStackedWidget>
 
+#include <algorithm>
+
 namespace knittsim::ui {
 
 namespace {
 
 const QString kGeometry = QStringLiteral("window/geometry");
-const QString kArrangement = QStringLiteral("window/arrangement1"); // the number rises when docks change
+const QString kArrangement = QStringLiteral("window/arrangement2"); // the number rises when docks change
 const QString kStyle = QStringLiteral("window/style");
 const QString kOrthographic = QStringLiteral("window/orthographic");
 const QString kLegend = QStringLiteral("window/legend");
 const QString kHistory = QStringLiteral("window/history");
 
+constexpr double kTeachingSpeed = 0.5; ///< operations a second, so that their phases are seen
 constexpr int kLeftWidth = 320;
 constexpr int kRightWidth = 270;
 /// In a lower window yarns and simulation share one place.
@@ -49,6 +53,7 @@ void MainWindow::buildDocks() {
     m_yarns = new YarnPanel(m_document, this);
     m_simulation = new SimulationPanel(m_document, this);
     m_problems = new DiagnosticsPanel(m_document, this);
+    m_beds = new NeedleBeds(m_document, this);
     m_chart = new ChartEditor(m_document, this);
     m_patterns = new QStackedWidget(this);
     m_patterns->addWidget(m_grid);
@@ -60,6 +65,10 @@ void MainWindow::buildDocks() {
         addDock(QStringLiteral("simulationDock"), tr("Simulation"), m_simulation, Qt::RightDockWidgetArea);
     m_problemDock =
         addDock(QStringLiteral("problemDock"), tr("Problems"), m_problems, Qt::BottomDockWidgetArea);
+    m_bedDock = addDock(QStringLiteral("bedDock"), tr("Needle beds"), m_beds, Qt::BottomDockWidgetArea);
+    connect(m_player, &StepPlayer::playingChanged, m_beds, &NeedleBeds::setPlaying);
+    connect(m_player, &StepPlayer::speedChanged, m_beds, &NeedleBeds::setSpeed);
+    m_beds->setSpeed(m_player->speed());
     for (const Qt::Corner corner : {Qt::TopLeftCorner, Qt::BottomLeftCorner}) {
         setCorner(corner, Qt::LeftDockWidgetArea);
     }
@@ -74,7 +83,10 @@ void MainWindow::buildDocks() {
 void MainWindow::takeTitleBars() {
     // A dock behind a tab is named and moved by the tab; a title bar would say the same again.
     for (auto* dock : findChildren<QDockWidget*>()) {
-        const bool tabbed = !dock->isFloating() && !tabifiedDockWidgets(dock).isEmpty();
+        const auto others = tabifiedDockWidgets(dock);
+        const bool shared = std::ranges::any_of(
+            others, [](QDockWidget* other) { return other->toggleViewAction()->isChecked(); });
+        const bool tabbed = !dock->isFloating() && shared;
         if (tabbed && !dock->titleBarWidget()) {
             dock->setTitleBarWidget(new QWidget(dock));
         } else if (!tabbed && dock->titleBarWidget()) {
@@ -87,29 +99,37 @@ void MainWindow::takeTitleBars() {
 
 void MainWindow::arrange(Layout layout) {
     const std::initializer_list<std::pair<QDockWidget*, Qt::DockWidgetArea>> homes{
-        {m_gridDock, Qt::LeftDockWidgetArea},
-        {m_sourceDock, Qt::LeftDockWidgetArea},
-        {m_yarnDock, Qt::RightDockWidgetArea},
-        {m_simulationDock, Qt::RightDockWidgetArea},
-        {m_problemDock, Qt::BottomDockWidgetArea}};
+        {m_gridDock, Qt::LeftDockWidgetArea},  {m_sourceDock, Qt::LeftDockWidgetArea},
+        {m_yarnDock, Qt::RightDockWidgetArea}, {m_simulationDock, Qt::RightDockWidgetArea},
+        {m_bedDock, Qt::BottomDockWidgetArea}, {m_problemDock, Qt::BottomDockWidgetArea}};
     for (const auto& [dock, area] : homes) {
         dock->setFloating(false);
         addDockWidget(area, dock);
     }
     tabifyDockWidget(m_gridDock, m_sourceDock);
-    m_gridDock->show();
-    m_sourceDock->setVisible(layout != Layout::Teaching);
+    const bool teaching = layout == Layout::Teaching;
+    tabifyDockWidget(m_problemDock, m_bedDock);
+    m_gridDock->setVisible(!teaching);
+    m_bedDock->setVisible(teaching);
+    m_sourceDock->setVisible(!teaching);
     m_yarnDock->setVisible(layout == Layout::Standard);
     m_simulationDock->setVisible(layout == Layout::Standard);
     m_problemDock->setVisible(layout == Layout::Checking || hasWarnings(m_document.problems()));
-    (layout == Layout::Checking ? m_sourceDock : m_gridDock)->raise();
+    if (!teaching) {
+        (layout == Layout::Checking ? m_sourceDock : m_gridDock)->raise();
+    }
     if (height() < kLeastHeightForBoth) {
         tabifyDockWidget(m_yarnDock, m_simulationDock);
         m_simulationDock->raise();
     }
     resizeDocks({m_gridDock, m_yarnDock}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
     resizeDocks({m_yarnDock, m_simulationDock}, {380, 320}, Qt::Vertical);
-    m_player->setLargeWords(layout == Layout::Teaching);
+    if (teaching) {
+        m_bedDock->raise();
+        resizeDocks({m_bedDock}, {height() * 2 / 5}, Qt::Vertical);
+        m_player->setSpeed(kTeachingSpeed);
+    }
+    m_player->setLargeWords(teaching);
 }
 
 void MainWindow::applyLayout(Layout layout) {

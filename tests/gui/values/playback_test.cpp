@@ -6,15 +6,25 @@ namespace knittsim::ui {
 namespace {
 
 TEST(Playback, FractionsAddUpToTheExactSpeed) {
-    for (const int speed : Playback::speeds()) {
+    for (const double speed : Playback::speeds()) {
         Playback playback;
         playback.setSpeed(speed);
         int done = 0;
-        for (int tick = 0; tick < 640; ++tick) {
-            done += playback.advance(15.625); // 10 s in all
+        for (int tick = 0; tick < 1280; ++tick) {
+            done += playback.advance(15.625); // 20 s in all
         }
-        EXPECT_EQ(done, 10 * speed);
+        EXPECT_EQ(done, 20 * speed);
     }
+}
+
+TEST(Playback, TheFirstOperationComesAtOnceTheNextOnesAtTheSpeed) {
+    Playback playback;
+    playback.setSpeed(0.5);
+    playback.makeDue();
+    EXPECT_EQ(playback.advance(1), 1);
+    EXPECT_EQ(playback.advance(900), 0);
+    EXPECT_EQ(playback.advance(900), 0);
+    EXPECT_EQ(playback.advance(250), 1);
 }
 
 TEST(Playback, AHangingWindowDoesNotSkipAhead) {

@@ -29,7 +29,7 @@ FabricView::~FabricView() = default;
 
 void FabricView::setFabric(std::shared_ptr<const fabric::Fabric> fabric,
                            std::vector<render::YarnLook> looks) {
-    m->fitPending = m->fitPending || !m->fabric || m->fabric->points.empty();
+    m->fitPending = m->fitPending || !m->fabric;
     m->fabric = std::move(fabric);
     m->content.looks = std::move(looks);
     m->frame.reset();

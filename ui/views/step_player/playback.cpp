@@ -7,11 +7,11 @@ namespace knittsim::ui {
 
 namespace {
 
-constexpr std::array kSpeeds{1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 5000};
+constexpr std::array kSpeeds{0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 5000.0};
 
 } // namespace
 
-std::span<const int> Playback::speeds() {
+std::span<const double> Playback::speeds() {
     return kSpeeds;
 }
 

@@ -8,10 +8,10 @@ namespace knittsim::ui {
 class Playback {
 public:
     /// Operations a second that the user may choose.
-    static std::span<const int> speeds();
+    static std::span<const double> speeds();
 
-    int speed() const { return m_speed; }
-    void setSpeed(int operationsPerSecond) { m_speed = operationsPerSecond; }
+    double speed() const { return m_speed; }
+    void setSpeed(double operationsPerSecond) { m_speed = operationsPerSecond; }
 
     /// The next faster or slower of speeds().
     void changeSpeed(int direction);
@@ -19,10 +19,11 @@ public:
     /// Whole operations due after `milliseconds` more; never more than a second's worth.
     int advance(double milliseconds);
 
-    void reset() { m_due = 0; }
+    /// The next operation is due at once.
+    void makeDue() { m_due = 1; }
 
 private:
-    int m_speed = 20;
+    double m_speed = 20;
     double m_due = 0;
 };
 

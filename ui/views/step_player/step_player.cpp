@@ -9,6 +9,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -85,8 +86,8 @@ void StepPlayer::build() {
     m_speed->setObjectName(QStringLiteral("stepSpeed"));
     m_speed->setAccessibleName(tr("Speed"));
     m_speed->setToolTip(tr("Operations a second ([ slower, ] faster)"));
-    for (const int speed : Playback::speeds()) {
-        m_speed->addItem(tr("%1/s").arg(countText(speed)), speed);
+    for (const double speed : Playback::speeds()) {
+        m_speed->addItem(tr("%1/s").arg(QLocale().toString(speed, 'g', 6)), speed);
     }
     m_words = new ElidedLabel(this);
     m_words->setObjectName(QStringLiteral("stepWords"));
@@ -121,7 +122,7 @@ void StepPlayer::build() {
     connect(last, &QToolButton::clicked, this, [this] { m_document.setStep(m_document.operationCount()); });
     connect(m_slider, &QSlider::valueChanged, this, [this](int value) { m_document.setStep(value); });
     connect(m_speed, &QComboBox::currentIndexChanged, this,
-            [this] { m_playback.setSpeed(m_speed->currentData().toInt()); });
+            [this] { setSpeed(m_speed->currentData().toDouble()); });
     showSpeed();
 }
 
@@ -129,9 +130,16 @@ void StepPlayer::showSpeed() {
     m_speed->setCurrentIndex(m_speed->findData(m_playback.speed()));
 }
 
-void StepPlayer::changeSpeed(int direction) {
-    m_playback.changeSpeed(direction);
+void StepPlayer::setSpeed(double operationsPerSecond) {
+    m_playback.setSpeed(operationsPerSecond);
     showSpeed();
+    emit speedChanged(operationsPerSecond);
+}
+
+void StepPlayer::changeSpeed(int direction) {
+    Playback next = m_playback;
+    next.changeSpeed(direction);
+    setSpeed(next.speed());
 }
 
 void StepPlayer::setLargeWords(bool on) {
@@ -154,6 +162,9 @@ void StepPlayer::takeStep() {
     const QSignalBlocker quiet(m_slider);
     const int step = m_document.step();
     m_slider->setValue(step);
+    if (!isPlaying()) {
+        m_playback.makeDue(); // else a pause in the middle of an operation goes on from there
+    }
     const auto file = m_document.file();
     if (!file) {
         m_words->clear();
@@ -182,7 +193,6 @@ void StepPlayer::setPlaying(bool on) {
         if (m_document.step() == m_document.operationCount()) {
             m_document.setStep(0);
         }
-        m_playback.reset();
         m_sinceTick.start();
         m_timer.start();
     } else {

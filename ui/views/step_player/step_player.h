@@ -24,6 +24,8 @@ public:
     bool isPlaying() const { return m_timer.isActive(); }
     void setPlaying(bool on);
     void togglePlaying() { setPlaying(!isPlaying()); }
+    double speed() const { return m_playback.speed(); } ///< operations a second
+    void setSpeed(double operationsPerSecond);
     void changeSpeed(int direction);
 
     /// For a class room: the operation in words can be read from the last row.
@@ -31,6 +33,7 @@ public:
 
 signals:
     void playingChanged(bool on);
+    void speedChanged(double operationsPerSecond);
 
 private:
     void build();
