@@ -87,6 +87,7 @@ void Document::setMachine(const QString& id) {
 void Document::begin(OpenRequest request) {
     request.machine = m_machine;
     m_openingTitle = request.title;
+    m_opensModified = false;
     m_opener.open(request);
     emit openingStarted();
     emit activityChanged();
@@ -127,6 +128,9 @@ void Document::show(const std::shared_ptr<const OpenedFile>& file) {
     m_carriers = otherMachine ? kept : file->carriers;
     m_step = operationCount();
     m_undo.clear();
+    if (m_opensModified) {
+        m_undo.resetClean();
+    }
     tellFile(true);
 }
 

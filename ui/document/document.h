@@ -7,6 +7,7 @@
 #include "ui/document/opener.h"
 #include "ui/document/prefix_builder.h"
 #include "ui/document/problem_marks.h"
+#include "ui/document/recovery.h"
 #include "ui/document/selection.h"
 #include "ui/document/simulation_bridge.h"
 #include "ui/document/yarn_run.h"
@@ -49,7 +50,9 @@ public:
     void open(const QString& path);
     void openText(const QString& title, const QString& knitout);
     /// A chart that is not in a file yet.
-    void openProject(const QString& title, std::shared_ptr<const pattern::Project> project);
+    /// `modified`: it has changes that are nowhere saved.
+    void openProject(const QString& title, std::shared_ptr<const pattern::Project> project,
+                     bool modified = false);
     void cancelOpening();
     bool isOpening() const { return m_opener.busy(); }
     QString openingTitle() const { return m_openingTitle; }
@@ -252,6 +255,9 @@ private:
     std::shared_ptr<const pattern::Project> m_project;
     QString m_title;
     QString m_path;
+    bool m_opensModified = false; ///< what is being opened
+    QUndoStack m_undo;
+    Recovery m_recovery{*this};
     QString m_openingTitle;
     std::shared_ptr<const OpenedFile> m_file;
     std::shared_ptr<const OpenedFile> m_failed;
@@ -276,7 +282,6 @@ private:
     std::size_t m_loopsGone = 0;
     bool m_stitchHolder = true;
     bool m_restartAfterLadder = false;
-    QUndoStack m_undo;
 };
 
 } // namespace knittsim::document

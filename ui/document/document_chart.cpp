@@ -10,8 +10,10 @@
 
 namespace knittsim::document {
 
-void Document::openProject(const QString& title, std::shared_ptr<const pattern::Project> project) {
+void Document::openProject(const QString& title, std::shared_ptr<const pattern::Project> project,
+                           bool modified) {
     begin({.path = {}, .title = title, .text = {}, .project = std::move(project)});
+    m_opensModified = modified;
 }
 
 void Document::editChart(const QString& text, const std::function<void(pattern::Chart&)>& edit) {

@@ -75,6 +75,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     takeRecentFiles();
     takeActions();
     showGallery();
+    offerRecovery();
 }
 
 MainWindow::~MainWindow() {
@@ -155,6 +156,10 @@ void MainWindow::connectDocument() {
     connect(m_problems, &DiagnosticsPanel::reportWanted, this, &MainWindow::chooseReportFile);
     connect(m_problems, &DiagnosticsPanel::placeWanted, this, &MainWindow::showPlace);
     connect(m_banner, &Banner::actionWanted, this, [this] {
+        if (m_leftover) {
+            restoreLeftover();
+            return;
+        }
         m_problemDock->show();
         m_problemDock->raise();
         m_problems->walk(+1);
@@ -223,6 +228,7 @@ void MainWindow::openSample(const QString& id) {
 void MainWindow::takeFile() {
     const document::OpenRequest& request = m_document.file()->request;
     takeTitle();
+    m_leftover.reset();
     if (!request.path.isEmpty()) {
         m_session.addRecentFile(request.path);
         takeRecentFiles();

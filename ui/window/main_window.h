@@ -6,6 +6,7 @@
 #include <QMainWindow>
 
 #include <functional>
+#include <optional>
 
 class QActionGroup;
 class QMenu;
@@ -85,6 +86,8 @@ private:
     bool saveChartAs();
     bool saveChartTo(const QString& path);
     void exportMachineData();
+    void offerRecovery();
+    void restoreLeftover();
     /// Asks what to do with unsaved changes first; the action happens unless the person stays.
     void whenLeft(const std::function<void()>& action);
 
@@ -155,7 +158,8 @@ private:
     QToolButton* m_problemButton = nullptr;
     MachineChoice* m_machine = nullptr;
     QMenu* m_recentMenu = nullptr;
-    QString m_nothingRuns;    ///< what the banner last said about ladders
+    std::optional<document::Recovery::Leftover> m_leftover; ///< offered in the banner
+    QString m_nothingRuns;                                  ///< what the banner last said about ladders
     QByteArray m_arrangement; ///< of the docks while a file is open; empty: m_layout as it comes
     Layout m_layout = Layout::Standard;
 };

@@ -12,6 +12,7 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QStackedWidget>
@@ -66,7 +67,10 @@ void MainWindow::newChart() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         const auto project = std::make_shared<const pattern::Project>(dialog->project());
-        whenLeft([this, project] { m_document.openProject(tr("New chart"), project); });
+        whenLeft([this, project] {
+            m_chart->canvas()->setTool(ChartTool::Pencil);
+            m_document.openProject(tr("New chart"), project);
+        });
     });
     dialog->open();
 }
@@ -128,6 +132,37 @@ void MainWindow::exportMachineData() {
     }
     m_session.setLastFolder(QFileInfo(path).absolutePath());
     statusBar()->showMessage(tr("Machine data written to %1").arg(path), 5000);
+}
+
+void MainWindow::offerRecovery() {
+    const auto found = document::Recovery::leftovers();
+    if (found.empty()) {
+        return;
+    }
+    m_leftover = found.front();
+    m_banner->showMessage(
+        Banner::Kind::Note,
+        tr("Unsaved work on %1 of %2 was found.")
+            .arg(m_leftover->title, QLocale().toString(m_leftover->time, QLocale::ShortFormat)),
+        tr("Restore"));
+}
+
+void MainWindow::restoreLeftover() {
+    const document::Recovery::Leftover leftover = *m_leftover;
+    auto project = pattern::readProjectFile(std::filesystem::path(leftover.path.toStdString()));
+    m_leftover.reset();
+    if (!project) {
+        m_banner->showMessage(Banner::Kind::Error, document::causeText(project.diagnostics().front()));
+        return;
+    }
+    const auto chart = std::make_shared<const pattern::Project>(std::move(project).value());
+    whenLeft([this, leftover, chart] {
+        m_document.openProject(leftover.title, chart, true);
+        // The copy of before is kept until this one is its own.
+        connect(
+            &m_document, &document::Document::opened, this,
+            [leftover] { document::Recovery::discard(leftover); }, Qt::SingleShotConnection);
+    });
 }
 
 void MainWindow::whenLeft(const std::function<void()>& action) {

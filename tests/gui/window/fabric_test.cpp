@@ -123,7 +123,9 @@ private slots:
     }
 
     void theCardFollowsTheGridAndStaysOutOfTheWayOfSteps() {
-        openSample("cable-left");
+        QSignalSpy opened(&document(), &Document::opened);
+        document().openText("cable", QString::fromStdString(pattern::sampleText("cable-left")));
+        QTRY_COMPARE(opened.count(), 1);
         auto* card = child<HistoryCard>("historyCard");
         auto* grid = child<PatternGrid>("patternGrid");
         QTest::mouseClick(grid->viewport(), Qt::LeftButton, {}, grid->showLoop(75));

@@ -83,7 +83,7 @@ private slots:
     }
 
     void aClickOnACellSelectsTheStitchEverywhere() {
-        openSample("plain");
+        openData("plain");
         auto* grid = child<PatternGrid>("patternGrid");
         const machine::LoopIndex loop = 75;
         const QPoint cell = grid->showLoop(loop);
@@ -103,7 +103,7 @@ private slots:
     }
 
     void arrowsWalkInTheGridAndStepElsewhere() {
-        openSample("plain");
+        openData("plain");
         auto* grid = child<PatternGrid>("patternGrid");
         document().selectLoop(75);
         const auto place = document().file()->grid->placeOf(75);
@@ -445,6 +445,13 @@ private:
     void openSample(const char* id) {
         QSignalSpy opened(&document(), &Document::opened);
         m_window->openSample(id);
+        QTRY_COMPARE(opened.count(), 1);
+    }
+
+    /// A sample as machine data, which is looked at in the pattern grid.
+    void openData(const char* id) {
+        QSignalSpy opened(&document(), &Document::opened);
+        document().openText(id, QString::fromStdString(pattern::sampleText(id)));
         QTRY_COMPARE(opened.count(), 1);
     }
 

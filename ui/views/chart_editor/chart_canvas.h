@@ -108,7 +108,7 @@ private:
     document::Document& m_document;
     std::shared_ptr<const pattern::Project> m_project;
     ChartGeometry m_geometry;
-    ChartTool m_tool = ChartTool::Pencil;
+    ChartTool m_tool = ChartTool::Select;
     pattern::Brush m_brush{pattern::Stitch::Purl, std::nullopt};
     const pattern::Module* m_module = nullptr;
     std::optional<ChartStroke> m_stroke;

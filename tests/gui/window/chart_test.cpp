@@ -1,0 +1,316 @@
+#ifndef Q_MOC_RUN // moc 6.4 does not read all headers of C++20
+#include "core/pattern/samples.h"
+#include "core/pattern/swatch.h"
+#endif
+
+#include "ui/views/chart_editor/chart_canvas.h"
+#include "ui/views/fabric_view/fabric_view.h"
+#include "ui/views/style/appearance.h"
+#include "ui/window/banner.h"
+#include "ui/window/main_window.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QDialog>
+#include <QDir>
+#include <QFile>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QMessageBox>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+
+namespace knittsim::ui {
+
+using document::Document;
+using pattern::Stitch;
+
+class ChartTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        qputenv("KNITTSIM_CONFIG_DIR", m_folder.path().toUtf8());
+        applyAppearance(*qApp, document::Appearance::Light);
+    }
+
+    void init() {
+        document::Session().clear();
+        m_window = std::make_unique<MainWindow>();
+        m_window->resize(1280, 800);
+        m_window->show();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    }
+
+    void cleanup() {
+        document().undoStack()->setClean(); // no question at the end
+        m_window.reset();
+    }
+
+    void aNewChartIsDrawnAndTheFabricFollows() {
+        newChart(12, 10);
+        QCOMPARE(chart().width, 12);
+        const std::size_t operations = operationCount();
+        stroke({2, 3}, {6, 3});
+        for (int wale = 2; wale <= 6; ++wale) {
+            QCOMPARE(chart().at(wale, 3).stitch, Stitch::Purl);
+        }
+        QCOMPARE(chart().at(7, 3).stitch, Stitch::Knit);
+        QTRY_VERIFY(document().fabricFollowsChart());
+        QVERIFY(operationCount() > operations); // loops change beds now
+        QTRY_VERIFY(child<FabricView>("fabricView")->measurement());
+        QVERIFY(m_window->isWindowModified());
+        document().undoStack()->undo();
+        QCOMPARE(chart(), original());
+        QTRY_VERIFY(document().fabricFollowsChart());
+        QCOMPARE(operationCount(), operations);
+        QVERIFY(!m_window->isWindowModified());
+        document().undoStack()->redo();
+        QCOMPARE(chart().at(4, 3).stitch, Stitch::Purl);
+    }
+
+    void oneStrokeIsOneStepBack() {
+        newChart(12, 10);
+        stroke({0, 0}, {11, 9});
+        stroke({0, 9}, {11, 0});
+        QCOMPARE(document().undoStack()->count(), 2);
+        QCOMPARE(document().undoStack()->undoText(), QString("pencil"));
+    }
+
+    void toolsHaveKeys() {
+        newChart(12, 10);
+        QTest::keyClick(m_window.get(), Qt::Key_U);
+        QCOMPARE(canvas()->tool(), ChartTool::Rectangle);
+        stroke({2, 2}, {5, 6});
+        int purls = 0;
+        for (const pattern::Cell& cell : chart().cells) {
+            purls += cell.stitch == Stitch::Purl ? 1 : 0;
+        }
+        QCOMPARE(purls, 20);
+        QTest::keyClick(m_window.get(), Qt::Key_K);
+        QTest::mouseClick(child<QToolButton>("stitch3"), Qt::LeftButton); // tuck
+        QTest::mouseClick(canvas()->viewport(), Qt::LeftButton, {}, place({3, 3}));
+        QCOMPARE(chart().at(5, 6).stitch, Stitch::Tuck);
+        QCOMPARE(chart().at(0, 0).stitch, Stitch::Knit);
+    }
+
+    void theKeyboardAloneIsEnough() {
+        newChart(12, 10);
+        canvas()->setFocus();
+        QTest::keyClick(canvas(), Qt::Key_Right);
+        QTest::keyClick(canvas(), Qt::Key_Up);
+        QTest::keyClick(canvas(), Qt::Key_Return);
+        QCOMPARE(chart().at(1, 1).stitch, Stitch::Purl);
+        QTest::keyClick(canvas(), Qt::Key_Right, Qt::ShiftModifier);
+        QTest::keyClick(canvas(), Qt::Key_Up, Qt::ShiftModifier);
+        QCOMPARE(canvas()->selection(), (pattern::CellRange{1, 1, 2, 2}));
+        QVERIFY(canvas()->accessibleDescription().contains("Wale 3, course 3"));
+    }
+
+    void copiesMirrorsAndRepeats() {
+        newChart(8, 8);
+        stroke({0, 0}, {0, 0});
+        canvas()->select({0, 0, 2, 2});
+        action("actionChartCopy")->trigger();
+        QVERIFY(QGuiApplication::clipboard()->text().contains("\"knitt\""));
+        canvas()->select({4, 4, 1, 1});
+        action("actionChartPaste")->trigger();
+        QCOMPARE(chart().at(4, 4).stitch, Stitch::Purl);
+        QCOMPARE(canvas()->selection(), (pattern::CellRange{4, 4, 2, 2}));
+        action("actionChartMirror")->trigger();
+        QCOMPARE(chart().at(5, 4).stitch, Stitch::Purl);
+        QCOMPARE(chart().at(4, 4).stitch, Stitch::Knit);
+        canvas()->select({0, 0, 2, 2});
+        action("actionChartRepeat")->trigger();
+        for (int course = 0; course < 8; ++course) {
+            for (int wale = 0; wale < 8; ++wale) {
+                QCOMPARE(chart().at(wale, course).stitch == Stitch::Purl, wale % 2 == 0 && course % 2 == 0);
+            }
+        }
+    }
+
+    void theCatalogueStampsACable() {
+        newChart(12, 10);
+        child<QMenu>("catalogue")->popup(QPoint(10, 10));
+        auto* list = child<QListWidget>("catalogueList");
+        QTRY_VERIFY(list->count() >= 30);
+        for (int i = 0; i < list->count(); ++i) {
+            if (list->item(i)->data(Qt::UserRole) == "cable-2x2-left") {
+                QTest::mouseClick(
+                    list->viewport(), Qt::LeftButton, {},
+                    (list->scrollToItem(list->item(i)), list->visualItemRect(list->item(i)).center()));
+                break;
+            }
+        }
+        QCOMPARE(canvas()->tool(), ChartTool::Stamp);
+        QTest::mouseClick(canvas()->viewport(), Qt::LeftButton, {}, place({4, 3}));
+        QCOMPARE(chart().course(4).moves.size(), std::size_t{4});
+        QTRY_VERIFY(document().fabricFollowsChart());
+        QVERIFY(!document().shownFabric()->crossings.empty());
+    }
+
+    void aChartThatCannotBeKnittedSaysSoAndKeepsTheFabric() {
+        newChart(6, 6);
+        const auto before = document().shownFabric();
+        document().editChart("hole", [](pattern::Chart& chart) { chart.at(2, 3).stitch = Stitch::Empty; });
+        QTRY_VERIFY(!document().isRebuilding());
+        QVERIFY(!document().fabricFollowsChart());
+        QCOMPARE(document().shownFabric(), before);
+        QVERIFY(child<QLabel>("chartHint")->text().contains("Wale 2"));
+        document().undoStack()->undo();
+        QTRY_VERIFY(document().fabricFollowsChart());
+        QVERIFY(child<QLabel>("chartHint")->text().isEmpty());
+    }
+
+    void aClickShowsTheStitchInTheFabricAndBack() {
+        newChart(10, 10);
+        canvas()->setTool(ChartTool::Select);
+        QTest::mouseClick(canvas()->viewport(), Qt::LeftButton, {}, place({4, 5}));
+        const auto loop = document().selection().loop;
+        QVERIFY(loop >= 0);
+        const machine::Loop& made =
+            document().file()->timeline->loops().loops[static_cast<std::size_t>(loop)];
+        QCOMPARE(made.needle.index, 5);
+        QCOMPARE(document().cellOfLoop(loop)->course, 5);
+        QCOMPARE(document().cellOfLoop(loop)->wale, 4);
+    }
+
+    void whatIsSavedOpensAgain() {
+        newChart(9, 7);
+        stroke({1, 1}, {7, 5});
+        const pattern::Chart drawn = chart();
+        const QString path = m_folder.filePath("mine.knitt");
+        QVERIFY(!hasErrors(document().save(path)));
+        QVERIFY(!m_window->isWindowModified());
+        QVERIFY(m_window->windowTitle().startsWith("mine.knitt"));
+        document().undoStack()->undo();
+        QVERIFY(m_window->isWindowModified());
+        document().undoStack()->redo();
+        QVERIFY(!m_window->isWindowModified());
+        open([&] { m_window->openFile(path); });
+        QCOMPARE(chart(), drawn);
+        QVERIFY(hasErrors(document().save("/no/such/folder/mine.knitt")));
+    }
+
+    void aSampleIsAChartOfItsOwn() {
+        open([&] { m_window->openSample("cable-left"); });
+        QCOMPARE(chart(), pattern::sampleChart("cable-left"));
+        QVERIFY(canvas()->isVisible());
+        open([&] { document().openText("text", QString::fromStdString(pattern::sampleText("plain"))); });
+        QVERIFY(!document().project());
+        QVERIFY(!canvas()->isVisible());
+        QVERIFY(!action("actionChartCut")->isEnabled());
+    }
+
+    void leavingAskedForUnsavedChanges() {
+        newChart(6, 6);
+        stroke({1, 1}, {2, 2});
+        int asked = 0;
+        const auto answer = [&](QMessageBox::StandardButton button) {
+            QTimer::singleShot(200, this, [&asked, button] {
+                auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+                QVERIFY(box);
+                ++asked;
+                box->button(button)->click();
+            });
+        };
+        answer(QMessageBox::Cancel);
+        m_window->openSample("plain");
+        QCOMPARE(asked, 1);
+        QVERIFY(!document().isOpening());
+        QCOMPARE(chart().width, 6);
+        answer(QMessageBox::Discard);
+        open([&] { m_window->openSample("plain"); });
+        QCOMPARE(asked, 2);
+        QVERIFY(chart().width != 6);
+    }
+
+    void whatACrashLeavesBehindIsOffered() {
+        newChart(9, 7);
+        stroke({1, 1}, {7, 5});
+        const pattern::Chart drawn = chart();
+        const QDir folder(document::Recovery::folder());
+        QTRY_COMPARE_WITH_TIMEOUT(folder.entryList({"*.knitt"}, QDir::Files).size(), 1, 10000);
+        QVERIFY2(document::Recovery::leftovers().empty(), "the window lives");
+        const QString copy = folder.filePath(folder.entryList({"*.knitt"}, QDir::Files).front());
+        QVERIFY(QFile::copy(copy, m_folder.filePath("kept.knitt")));
+        cleanup();
+        QVERIFY2(folder.entryList({"*.knitt"}, QDir::Files).isEmpty(), "left in peace");
+        QVERIFY(QFile::copy(m_folder.filePath("kept.knitt"), copy)); // as if it had died
+
+        init();
+        QVERIFY(child<Banner>("banner")->text().contains("new"));
+        open([&] { emit child<Banner>("banner")->actionWanted(); });
+        QCOMPARE(chart(), drawn);
+        QVERIFY(m_window->isWindowModified());
+    }
+
+    void aLargeChartIsEditedWithoutWaiting() {
+        auto project = std::make_shared<pattern::Project>();
+        project->chart = pattern::plainChart(500, 500);
+        open([&] { document().openProject("large", project); });
+        canvas()->setTool(ChartTool::Pencil);
+        stroke({10, 400}, {40, 420});
+        document().undoStack()->undo();
+        QCOMPARE(chart(), project->chart);
+    }
+
+private:
+    Document& document() { return m_window->document(); }
+    ChartCanvas* canvas() { return child<ChartCanvas>("chartCanvas"); }
+    const pattern::Chart& chart() { return document().project()->chart; }
+    pattern::Chart original() {
+        pattern::Chart plain(12, 10);
+        plain.yarns = chart().yarns;
+        return plain;
+    }
+    std::size_t operationCount() { return static_cast<std::size_t>(document().operationCount()); }
+
+    template<class T> T* child(const char* name) {
+        T* found = m_window->findChild<T*>(QString::fromLatin1(name));
+        if (!found) {
+            qFatal("no %s", name);
+        }
+        return found;
+    }
+    QAction* action(const char* name) { return child<QAction>(name); }
+
+    template<class F> void open(const F& how) {
+        QSignalSpy opened(&document(), &Document::opened);
+        how();
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 60000);
+    }
+
+    void newChart(int wales, int courses) {
+        auto project = std::make_shared<pattern::Project>();
+        project->chart = pattern::Chart(wales, courses);
+        project->chart.yarns = {{"1", {}, "merino-2-30"}};
+        open([&] { document().openProject("new", project); });
+        canvas()->setTool(ChartTool::Pencil);
+    }
+
+    /// Middle of a cell in the viewport.
+    QPoint place(pattern::CellPlace cell) {
+        return canvas()->geometryOfChart().cellRect(cell.course, cell.wale).center();
+    }
+
+    void stroke(pattern::CellPlace from, pattern::CellPlace to) {
+        QTest::mousePress(canvas()->viewport(), Qt::LeftButton, {}, place(from));
+        QTest::mouseMove(canvas()->viewport(), place(to));
+        QTest::mouseRelease(canvas()->viewport(), Qt::LeftButton, {}, place(to));
+    }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+} // namespace knittsim::ui
+
+QTEST_MAIN(knittsim::ui::ChartTest)
+#include "chart_test.moc"
