@@ -64,7 +64,9 @@ Document::Document(QObject* parent)
             });
 }
 
-Document::~Document() = default;
+Document::~Document() {
+    m_undo.blockSignals(true); // it tells that it is clean when it goes
+}
 
 void Document::open(const QString& path) {
     begin({path, QFileInfo(path).fileName(), {}});

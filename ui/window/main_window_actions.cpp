@@ -99,7 +99,7 @@ void MainWindow::buildFileMenu() {
     addAction(menu, "actionSave", tr("&Save"), QKeySequence::Save, "save", [this] { saveChart(); });
     addAction(menu, "actionSaveAs", tr("Save &as\u2026"), QKeySequence(tr("Ctrl+Shift+S")), {},
               [this] { saveChartAs(); });
-    addAction(menu, "actionExportMachine", tr("Export &machine data\u2026"), QKeySequence(tr("Ctrl+Shift+M")),
+    addAction(menu, "actionExportMachine", tr("Export &machine data\u2026"), QKeySequence(tr("Ctrl+Shift+D")),
               {}, [this] { exportMachineData(); });
     menu->addSeparator();
     addAction(menu, "actionExport", tr("&Export\u2026"), QKeySequence(tr("Ctrl+E")), "picture",

@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kLeastCellWithLines = 6;
 constexpr int kLeastCellWithSymbol = 9;
+constexpr int kLeastCellWithMoves = 4;
 constexpr int kMostSymbols = 256;
 
 bool isRear(Stitch stitch) {
@@ -88,9 +89,10 @@ void ChartCanvas::paintCells(QPainter& painter) {
     const Chart& chart = shown();
     const auto wales = m_geometry.visibleColumns();
     const auto courses = m_geometry.visibleCourses();
-    if (m_geometry.cellWidth < kLeastCellWithSymbol) {
+    if (m_geometry.cellWidth < kLeastCellWithMoves) {
         return;
     }
+    const bool symbols = m_geometry.cellWidth >= kLeastCellWithSymbol;
     std::vector<char> moved(static_cast<std::size_t>(chart.width));
     for (int course = courses.first; course < courses.end; ++course) {
         const auto& moves = chart.course(course).moves;
@@ -98,7 +100,7 @@ void ChartCanvas::paintCells(QPainter& painter) {
         for (const pattern::LoopMove& move : moves) {
             moved[static_cast<std::size_t>(move.from)] = moved[static_cast<std::size_t>(move.to)] = 1;
         }
-        for (int wale = wales.first; wale < wales.end; ++wale) {
+        for (int wale = wales.first; symbols && wale < wales.end; ++wale) {
             const Cell& cell = chart.at(wale, course);
             const bool plain = moved[static_cast<std::size_t>(wale)] != 0 && pattern::isWorked(cell.stitch);
             if (!plain) {
@@ -203,10 +205,10 @@ void ChartCanvas::paintHeaders(QPainter& painter) const {
     const int waleStep = labelStep(m_geometry.cellWidth, digits);
     for (int wale = wales.first; wale < wales.end; ++wale) {
         if ((wale + 1) % waleStep == 0) {
-            const QRect cell = m_geometry.cellRect(0, wale);
-            painter.drawText(QRect(cell.center().x() - digits / 2, area.bottom() + 3, digits,
-                                   m_geometry.header.height() - 3),
-                             Qt::AlignCenter, QString::number(wale + 1));
+            QRect label(m_geometry.cellRect(0, wale).center().x() - digits / 2, area.bottom() + 3, digits,
+                        m_geometry.header.height() - 3);
+            label.moveRight(std::min(label.right(), area.right() + 4));
+            painter.drawText(label, Qt::AlignCenter, QString::number(wale + 1));
         }
     }
     painter.restore();

@@ -61,7 +61,7 @@ void paintMoves(QPainter& painter, const std::vector<pattern::LoopMove>& moves,
         const double mid = from.center().y();
         path.cubicTo({from.center().x(), mid}, {to.center().x(), mid}, {to.center().x(), to.top()});
         painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(ground, std::max(4.0, 0.42 * from.width()), Qt::SolidLine, Qt::FlatCap));
+        painter.setPen(QPen(ground, std::max(3.0, 0.42 * from.width()), Qt::SolidLine, Qt::FlatCap));
         painter.drawPath(path);
         painter.setPen(QPen(ink, std::max(1.5, 0.16 * from.width()), Qt::SolidLine, Qt::FlatCap));
         painter.drawPath(path);

@@ -60,7 +60,7 @@ std::vector<Overlay::Word> Overlay::words() const {
         words.push_back({tr("wales, numbered"), colours.wale});
     }
     if (m_annotations.marks && !m_annotations.problems.empty()) {
-        words.push_back({tr("\u00d7 error, ! warning, i note")});
+        words.push_back({tr("\u00d7 error, ! warning")});
     }
     if (!m_annotations.alone.isEmpty()) {
         words.push_back({m_annotations.alone});
@@ -307,6 +307,10 @@ void Overlay::paintAxes(QPainter& painter) const {
         label.moveCenter(tip +
                          QPointF((6 + size.width() / 2) * along.x(), (4 + size.height() / 2) * along.y()));
         label.moveLeft(std::max<double>(2, label.left()));
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(ground());
+        painter.drawRoundedRect(label.adjusted(-3, 0, 3, 0), 4, 4); // a dimension may pass here
+        painter.setPen(ink());
         painter.drawText(label, Qt::AlignCenter, axis.name);
     }
 }
