@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <QPainter>
+#include <QStringList>
 
 #include <algorithm>
 #include <cmath>
@@ -55,8 +56,8 @@ void paintMeasure(QPainter& painter, QPointF from, QPointF to, const OverlayInk&
 }
 
 /// One dimension along the edge from `a` to `b`, beside it on the side away from `middle`, and always inside
-/// the picture.
-void paintEdge(QPainter& painter, QSize size, QPointF a, QPointF b, QPointF middle, const QString& text,
+/// the picture. Of `texts` the first one that is not longer than the edge, else the last one.
+void paintEdge(QPainter& painter, QSize size, QPointF a, QPointF b, QPointF middle, const QStringList& texts,
                const OverlayInk& ink) {
     constexpr double kAway = 16;
     constexpr double kMargin = 14;
@@ -71,6 +72,11 @@ void paintEdge(QPainter& painter, QSize size, QPointF a, QPointF b, QPointF midd
     }
     const QPointF centre = 0.5 * (a + b) + kAway * out;
     const bool upright = std::abs(way.y()) > std::abs(way.x());
+    const auto fits = [&](const QString& text) {
+        return painter.fontMetrics().horizontalAdvance(text) <= length;
+    };
+    const auto found = std::find_if(texts.begin(), texts.end(), fits);
+    const QString& text = found == texts.end() ? texts.back() : *found;
     const double half = 0.5 * painter.fontMetrics().horizontalAdvance(text) + kMargin;
     const auto inside = [](double value, double margin, double end) {
         return std::clamp(value, std::min(margin, end / 2), std::max(end - margin, end / 2));
@@ -89,13 +95,17 @@ void paintEdge(QPainter& painter, QSize size, QPointF a, QPointF b, QPointF midd
     painter.restore();
 }
 
-/// "22.2 mm (0.87 in), 140 wales in 10 cm"; without the second part where the spacing is not known.
-QString dimensionText(double millimetres, double spacingMm, const QString& gauge) {
+/// "22.2 mm (0.87 in), 140 wales in 10 cm", where the spacing is known, and shorter ones.
+QStringList dimensionTexts(double millimetres, double spacingMm, const QString& gauge) {
     constexpr double kGaugeMm = 100;
-    return spacingMm > 0 ? QStringLiteral("%1 \u00b7 %2")
-                               .arg(lengthText(millimetres),
-                                    gauge.arg(QLocale().toString(kGaugeMm / spacingMm, 'f', 1)))
-                         : lengthText(millimetres);
+    QStringList texts{lengthText(millimetres),
+                      QCoreApplication::translate("FabricView", "%1 mm")
+                          .arg(QLocale().toString(millimetres, 'f', millimetres < 100 ? 1 : 0))};
+    if (spacingMm > 0) {
+        texts.prepend(QStringLiteral("%1 \u00b7 %2")
+                          .arg(texts.front(), gauge.arg(QLocale().toString(kGaugeMm / spacingMm, 'f', 1))));
+    }
+    return texts;
 }
 
 } // namespace
@@ -124,14 +134,14 @@ void paintDimensions(QPainter& painter, QSize size, const CanvasContent& content
     const QPointF middle = onScreen(content, box.centre());
     const geometry::Measurement measured = annotations.size.value_or(geometry::Measurement());
     paintEdge(painter, size, corner(box.low.x(), box.low.y()), corner(box.high.x(), box.low.y()), middle,
-              dimensionText(box.size().x(), measured.waleSpacingMm,
-                            QCoreApplication::translate("FabricView", "%1 wales in 10 cm")),
+              dimensionTexts(box.size().x(), measured.waleSpacingMm,
+                             QCoreApplication::translate("FabricView", "%1 wales in 10 cm")),
               ink);
     // On the left of the picture, whichever side is seen.
     const float left = content.camera.towardsViewer().z() > 0 ? box.low.x() : box.high.x();
     paintEdge(painter, size, corner(left, box.low.y()), corner(left, box.high.y()), middle,
-              dimensionText(box.size().y(), measured.courseSpacingMm,
-                            QCoreApplication::translate("FabricView", "%1 courses in 10 cm")),
+              dimensionTexts(box.size().y(), measured.courseSpacingMm,
+                             QCoreApplication::translate("FabricView", "%1 courses in 10 cm")),
               ink);
 }
 
