@@ -9,6 +9,7 @@
 #include "core/machine/checks/report.h"
 #include "core/machine/checks/rules.h"
 #include "core/machine/profile_library.h"
+#include "core/pattern/project.h"
 
 #include <fmt/core.h>
 
@@ -91,7 +92,7 @@ std::optional<Outcome> checkFile(const std::string& file, const CheckOptions& op
                                  const machine::ProfileLibrary& library, const std::vector<Waiver>& wanted) {
     Outcome outcome{
         .checked = {.file = file, .profile = {}, .result = {}}, .readable = false, .knitting = std::nullopt};
-    auto program = formats::readProgram(file);
+    auto program = pattern::readAnyProgram(file);
     Diagnostics findings = program.diagnostics();
     std::vector<Waiver> waivers = wanted;
     if (program) {

@@ -2,6 +2,7 @@
 #include "core/base/file.h"
 #include "core/base/message_table.h"
 #include "core/formats/formats.h"
+#include "core/pattern/project.h"
 
 #include <fmt/core.h>
 
@@ -26,7 +27,7 @@ template<class T> bool printAndTest(const Result<T>& result) {
 }
 
 int runConvert(const ConvertOptions& options) {
-    const auto program = formats::readProgram(options.input);
+    const auto program = pattern::readAnyProgram(options.input);
     if (!printAndTest(program)) {
         return kUnusable;
     }

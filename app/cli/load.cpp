@@ -7,6 +7,7 @@
 #include "core/formats/formats.h"
 #include "core/machine/carrier_yarns.h"
 #include "core/machine/profile_library.h"
+#include "core/pattern/project.h"
 #include "core/yarn/yarn_library.h"
 
 #include <fmt/core.h>
@@ -82,7 +83,7 @@ void addFabric(CLI::App& command, LoadOptions& options) {
 }
 
 std::shared_ptr<const machine::Timeline> loadTimeline(const LoadOptions& options) {
-    auto program = formats::readProgram(options.file);
+    auto program = pattern::readAnyProgram(options.file);
     print(program.diagnostics());
     if (!program) {
         return nullptr;

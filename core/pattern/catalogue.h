@@ -19,9 +19,9 @@ struct Module {
     bool tiles = true;
 };
 
-/// Loops move by two needles at most: farther, a normal stitch has not yarn enough.
 /// The stitches that charts for one loop a wale can have, in the order of their groups. Each compiles when it
-/// is tiled over a chart (Shaping: when stamped at its upper edge).
+/// is tiled over a chart (Shaping: when stamped at its upper edge). Loops move by two needles at most: for
+/// more a normal stitch has not yarn enough.
 const std::vector<Module>& catalogue();
 
 /// Null for an unknown id.

@@ -138,17 +138,18 @@ Chart copyOf(const Chart& chart, CellRange range) {
 void paste(Chart& chart, CellPlace at, const Chart& part, PasteWhat what) {
     const CellRange range = inside(chart, {at.wale, at.course, part.width, part.height()});
     dropMoves(chart, range);
+    const bool single = chart.beds == BedUse::Single;
     for (int c = range.course; c < range.course + range.height; ++c) {
         for (const LoopMove& move : part.course(c - at.course).moves) {
             const LoopMove here{move.from + at.wale, move.to + at.wale};
-            if (range.contains({here.from, c}) && range.contains({here.to, c})) {
+            if (single && range.contains({here.from, c}) && range.contains({here.to, c})) {
                 chart.course(c).moves.push_back(here);
             }
         }
         for (int w = range.wale; w < range.wale + range.width; ++w) {
             const Cell& from = part.at(w - at.wale, c - at.course);
             Cell& cell = chart.at(w, c);
-            cell.stitch = from.stitch;
+            cell.stitch = from.stitch == Stitch::Both && single ? Stitch::Knit : from.stitch;
             if (what == PasteWhat::Everything) {
                 cell.yarn = from.yarn < chart.yarns.size() ? from.yarn : std::uint8_t{0};
             }

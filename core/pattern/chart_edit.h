@@ -68,7 +68,7 @@ enum class PasteWhat : std::uint8_t {
 
 /// Lays a part down with its lower left cell at `at`. Moved loops that end or begin in the range go; those of
 /// the part come in where both their ends lie in the chart. Yarns that the chart does not have become its
-/// first.
+/// first; a chart for two beds takes no moves, one for a single bed no stitches on both.
 void paste(Chart& chart, CellPlace at, const Chart& part, PasteWhat what = PasteWhat::Everything);
 
 /// The part again and again over the range, from its lower left corner.

@@ -27,6 +27,11 @@ struct CompileOptions {
     machine::MachineProfile machine = machine::genericProfile();
 };
 
+struct Compiled {
+    machine::Program program;
+    std::vector<machine::OperationIndex> courseEnds; ///< operations done after each course of the chart
+};
+
 /// Machine program that knits the chart.
 ///
 /// - A carrier comes in for its first course, which it knits leftwards, and leaves after its last one.
@@ -38,11 +43,6 @@ struct CompileOptions {
 /// next zone.
 ///
 /// Errors: KS0008 and KS0501 to KS0508, with course and needle.
-/// With the operations done after each course of the chart; the cast-on counts to the first one.
-struct Compiled {
-    machine::Program program;
-    std::vector<machine::OperationIndex> courseEnds;
-};
 Result<Compiled> compileCourses(const Chart& chart, const CompileOptions& options = {});
 
 /// The program alone.

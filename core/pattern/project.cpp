@@ -2,6 +2,8 @@
 
 #include "core/base/file.h"
 #include "core/base/json_reader.h"
+#include "core/formats/formats.h"
+#include "core/machine/profile_library.h"
 
 #include <fmt/format.h>
 
@@ -112,7 +114,7 @@ public:
         }
         m_reader.rejectUnknownKeys();
         if (m_problems.empty()) {
-            m_problems = check(m_project.chart);
+            takeStructure();
         }
         if (!m_problems.empty()) {
             return Result<Project>::failure(std::move(m_problems));
@@ -121,6 +123,14 @@ public:
     }
 
 private:
+    /// What is no chart at all is refused; what only cannot be knitted can be opened and mended.
+    void takeStructure() {
+        m_problems = check(m_project.chart);
+        std::erase_if(m_problems, [](const Diagnostic& problem) {
+            return problem.id != "KS0501" && problem.id != "KS0503";
+        });
+    }
+
     void readYarns() {
         const std::vector<json> yarns = m_reader.array("yarns", 1, kMaxYarns);
         for (std::size_t i = 0; i < yarns.size(); ++i) {
@@ -247,6 +257,24 @@ Result<Project> readProjectFile(const std::filesystem::path& path) {
         return Result<Project>::failure(text.diagnostics());
     }
     return readProject(text.value(), path.string());
+}
+
+Result<machine::Program> readAnyProgram(const std::filesystem::path& path) {
+    if (path.extension() != kProjectExtension) {
+        return formats::readProgram(path);
+    }
+    const Result<Project> project = readProjectFile(path);
+    if (!project) {
+        return Result<machine::Program>::failure(project.diagnostics());
+    }
+    Diagnostics ignored; // whoever chooses the machine to check it on hears of them
+    const auto machines = machine::ProfileLibrary::read(machine::profileFolders(), ignored);
+    machine::Program named;
+    named.header.machine = project.value().machine;
+    const auto machine = machine::chooseProfile(named, machines);
+    return compile(project.value().chart, {.castOn = project.value().castOn,
+                                           .ending = project.value().ending,
+                                           .machine = machine ? machine.value() : machine::genericProfile()});
 }
 
 } // namespace knittsim::pattern

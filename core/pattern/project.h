@@ -42,10 +42,14 @@ constexpr std::string_view kProjectExtension = ".knitt";
 std::string writeProject(const Project& project);
 
 /// Errors: KS0003 to KS0005 with the place in the JSON, KS0509 for a version that is newer than this program,
-/// and those of check(chart).
+/// KS0501 and KS0503. A chart with stitches or yarns that cannot be knitted is read all the same.
 Result<Project> readProject(std::string_view text, const std::string& file);
 
 /// Errors: those of readFile and of above.
 Result<Project> readProjectFile(const std::filesystem::path& path);
+
+/// The program of a file: machine data of any format, or that of a chart, on the machine that it names.
+/// Errors: those of formats::readProgram, of above and of compile().
+Result<machine::Program> readAnyProgram(const std::filesystem::path& path);
 
 } // namespace knittsim::pattern

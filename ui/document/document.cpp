@@ -117,14 +117,14 @@ void Document::take(const std::shared_ptr<const OpenedFile>& file) {
 }
 
 void Document::show(const std::shared_ptr<const OpenedFile>& file) {
-    const bool otherMachine = m_file && m_file->request.path == file->request.path &&
+    const bool otherMachine = m_file && !file->project && m_file->request.path == file->request.path &&
                               m_file->request.text == file->request.text &&
                               m_file->timeline->profile().id != file->timeline->profile().id &&
                               m_carriers.size() == file->carriers.size();
     const std::vector<CarrierYarn> kept = otherMachine ? m_carriers : std::vector<CarrierYarn>();
     m_rebuilder.cancel();
     exchangeFile(file);
-    m_project = file->project;
+    m_project = m_knitted = file->project;
     m_title = file->request.title;
     m_path = file->request.path;
     m_carriers = otherMachine ? kept : file->carriers;
@@ -160,6 +160,7 @@ void Document::tellFile(bool another) {
     emit fileChanged();
     if (another) {
         emit chartChanged();
+        emit chartFollowed();
         emit opened();
     }
     emit yarnsChanged();
@@ -326,7 +327,7 @@ void Document::clearSelection() {
 }
 
 void Document::assignYarn(int carrier, const yarn::Yarn& yarn) {
-    if (carrier >= 0 && static_cast<std::size_t>(carrier) < m_carriers.size() &&
+    if (carrier >= 0 && static_cast<std::size_t>(carrier) < m_carriers.size() && !isOpening() &&
         m_carriers[static_cast<std::size_t>(carrier)].yarn != yarn) {
         m_undo.push(new YarnCommand(*this, carrier, yarn));
     }
@@ -347,6 +348,7 @@ void Document::applyYarn(int carrier, const yarn::Yarn& yarn) {
     yarn::Yarn& present = m_carriers[static_cast<std::size_t>(carrier)].yarn;
     const bool body = !machine::sameBody(present, yarn);
     present = yarn;
+    putYarn(m_carriers[static_cast<std::size_t>(carrier)].carrier, yarn);
     if (body) {
         m_bridge.post(command::SetYarn{carrier, yarn});
         if (m_yarnRun.exists()) {

@@ -97,6 +97,7 @@ public:
     bool isModified() const { return m_project != nullptr && !m_undo.isClean(); }
     QString title() const { return m_title; } ///< of the open file
     QString path() const { return m_path; }   ///< empty for what is not in a file
+    void keepCopy() { m_recovery.write(); }   ///< of unsaved changes, at once
     /// Writes the project; the undo stack is clean then. Errors: KS0002.
     Diagnostics save(const QString& path);
 
@@ -234,6 +235,7 @@ private:
     void updateShownFrame();
 
     // document_chart.cpp
+    void putYarn(const std::string& carrier, const yarn::Yarn& yarn);
     void applyPatch(const pattern::ChartPatch& patch, bool forwards);
     void rebuild();
     void takeRebuilt(const std::shared_ptr<const OpenedFile>& file);
@@ -253,6 +255,7 @@ private:
     Opener m_opener;
     Opener m_rebuilder; ///< of a chart that was edited
     std::shared_ptr<const pattern::Project> m_project;
+    std::shared_ptr<const pattern::Project> m_knitted; ///< that the fabric is made of
     QString m_title;
     QString m_path;
     bool m_opensModified = false; ///< what is being opened

@@ -17,8 +17,8 @@ void Document::openProject(const QString& title, std::shared_ptr<const pattern::
 }
 
 void Document::editChart(const QString& text, const std::function<void(pattern::Chart&)>& edit) {
-    if (!m_project) {
-        return;
+    if (!m_project || isOpening()) {
+        return; // what comes next has been asked for
     }
     pattern::Chart after = m_project->chart;
     edit(after);
@@ -33,6 +33,21 @@ void Document::applyPatch(const pattern::ChartPatch& patch, bool forwards) {
     m_project = std::move(changed);
     emit chartChanged();
     rebuild();
+}
+
+/// The chart keeps what yarn its carriers have; program and fabric stay as they are.
+void Document::putYarn(const std::string& carrier, const yarn::Yarn& yarn) {
+    const auto isOwn = [&](const pattern::ChartYarn& own) { return own.carrier == carrier; };
+    if (!m_project || std::ranges::none_of(m_project->chart.yarns, isOwn)) {
+        return;
+    }
+    auto changed = std::make_shared<pattern::Project>(*m_project);
+    pattern::ChartYarn& own = *std::ranges::find_if(changed->chart.yarns, isOwn);
+    own.libraryId = yarn.id;
+    own.colour = yarn.colour;
+    m_knitted = m_knitted == m_project ? changed : m_knitted;
+    m_project = std::move(changed);
+    emit chartChanged();
 }
 
 void Document::rebuild() {
@@ -62,6 +77,7 @@ void Document::update(const std::shared_ptr<const OpenedFile>& file) {
         }
     }
     exchangeFile(file);
+    m_knitted = file->project;
     m_carriers = std::move(carriers);
     m_step = atEnd ? operationCount() : std::min(m_step, operationCount());
     if (!atEnd) {
@@ -72,7 +88,7 @@ void Document::update(const std::shared_ptr<const OpenedFile>& file) {
 }
 
 bool Document::fabricFollowsChart() const {
-    return !m_rebuilder.busy() && m_file && m_file->project == m_project && !m_failed;
+    return m_project && !m_rebuilder.busy() && m_knitted == m_project && !m_file->chartCourseEnds.empty();
 }
 
 namespace {

@@ -18,7 +18,7 @@ const QString kPattern = QStringLiteral("*.knitt");
 
 /// "ID_TITLE.knitt": the title stands in the name, percent-encoded.
 QString fileName(const QString& id, const QString& title) {
-    return id + u'_' + QString::fromLatin1(QUrl::toPercentEncoding(title.left(60))) +
+    return id + u'_' + QString::fromLatin1(QUrl::toPercentEncoding(title.left(20))) +
            QString::fromUtf8(pattern::kProjectExtension.data());
 }
 
@@ -70,13 +70,15 @@ void Recovery::write() {
         m_lock->tryLock(0);
     }
     const QString path = folder() + u'/' + fileName(m_id, m_document.title());
+    const auto written = writeFileAtomically(std::filesystem::path(path.toStdString()),
+                                             pattern::writeProject(*m_document.project()));
+    if (!written) {
+        return; // the copy of before is better than none
+    }
     if (!m_path.isEmpty() && m_path != path) {
         QFile::remove(m_path);
     }
     m_path = path;
-    // A large chart takes 20 ms; where that cannot be done there is nothing better to do.
-    (void)writeFileAtomically(std::filesystem::path(path.toStdString()),
-                              pattern::writeProject(*m_document.project()));
 }
 
 void Recovery::remove() {

@@ -17,9 +17,9 @@ namespace knittsim::document {
 class Document;
 
 /// Keeps a copy of a chart with unsaved changes, so that not more than a few seconds are lost when the
-/// program or the machine dies: a project file in the folder `recovery` beside the settings, written at once
-/// and in the background, a few seconds after the first change that it lacks. It goes when the chart is
-/// saved, left or undone. A lock file tells other running programs whose it is.
+/// program or the machine dies: a project file in the folder `recovery` beside the settings, written as a
+/// whole a few seconds after the first change that it lacks (500 x 500 stitches take some ten milliseconds).
+/// It goes when the chart is saved, left or undone. A lock file tells other running programs whose it is.
 class Recovery : public QObject {
     Q_OBJECT
 
@@ -40,9 +40,10 @@ public:
 
     static QString folder();
 
+    void write(); ///< now, where there are unsaved changes
+
 private:
     void takeChange();
-    void write();
     void remove();
 
     Document& m_document;

@@ -114,11 +114,11 @@ void YarnRun::start(std::shared_ptr<const fabric::Fabric> fabric, std::vector<ya
 }
 
 void YarnRun::take(std::shared_ptr<const YarnShape> shape) {
-    const bool late = shape->generation != m_generation || !m_running;
+    const bool late = shape->generation != m_generation || (!m_running && !shape->finished);
     if (late) {
-        return; // of a run that was ended or paused meanwhile
+        return; // of a run that was ended or paused meanwhile; the last shape of one comes once
     }
-    m_running = !shape->finished || shape->edits != m_edits;
+    m_running = m_running && (!shape->finished || shape->edits != m_edits);
     m_shape = std::move(shape);
     emit changed();
 }
@@ -151,7 +151,7 @@ void YarnRun::pause() {
 void YarnRun::resume() {
     if (m_job && !m_running) {
         m_job->pause(false);
-        m_running = true;
+        m_running = !m_shape || !m_shape->finished || m_shape->edits != m_edits;
         emit changed();
     }
 }

@@ -253,6 +253,7 @@ void MainWindow::startSoon() {
 }
 
 void MainWindow::takeFailure() {
+    m_leftover.reset(); // the banner speaks of something else now
     const auto failed = m_document.failedFile();
     const Diagnostics& problems = failed->diagnostics;
     QString text = tr("%1 could not be opened.").arg(failed->request.title);
@@ -283,7 +284,12 @@ void MainWindow::takeProblems() {
     const Diagnostics& found = m_document.problems();
     const auto notes = std::ranges::count(found, Severity::Info, &Diagnostic::severity);
     const auto count = static_cast<std::ptrdiff_t>(found.size()) - notes;
-    m_problemDock->setVisible(count > 0); // notes alone do not push themselves forward
+    // Notes alone do not push themselves forward, and a dock that was closed stays closed while a chart is
+    // drawn.
+    if ((count > 0) != (m_problemsShown > 0)) {
+        m_problemDock->setVisible(count > 0);
+    }
+    m_problemsShown = count;
     markProblems();
     m_problemDock->setWindowTitle(count > 0 ? tr("Problems (%1)").arg(count) : tr("Problems"));
     takeActions();

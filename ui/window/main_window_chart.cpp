@@ -19,15 +19,34 @@
 #include <QStatusBar>
 #include <QToolBar>
 
+#include <algorithm>
+
 namespace knittsim::ui {
 
-namespace {
-
-QString withExtension(const QString& path, const QString& extension) {
-    return QFileInfo(path).suffix().isEmpty() ? path + extension : path;
+/// A file to write, of the kind that was chosen; asks before one that exists. Empty: nowhere.
+QString MainWindow::askWhere(const QString& title, const QString& start, const QStringList& kinds) {
+    QFileDialog dialog(this, title, start, kinds.join(QStringLiteral(";;")));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    // "Name (*.a *.b)": the first one is appended to a name without extension.
+    const auto suffixOf = [](const QString& kind) {
+        return kind.section(QStringLiteral("(*."), 1).section(u' ', 0, 0).remove(u')');
+    };
+    dialog.setDefaultSuffix(suffixOf(kinds.front()));
+    connect(&dialog, &QFileDialog::filterSelected, &dialog,
+            [&](const QString& kind) { dialog.setDefaultSuffix(suffixOf(kind)); });
+    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) {
+        return {};
+    }
+    const QString path = dialog.selectedFiles().front();
+    const bool known = std::ranges::any_of(kinds, [&](const QString& kind) {
+        return kind.contains(QStringLiteral("*.") + QFileInfo(path).suffix());
+    });
+    const QString whole = known ? path : path + u'.' + dialog.defaultSuffix();
+    const bool asked =
+        whole == path || !QFileInfo::exists(whole) ||
+        QMessageBox::question(this, title, tr("%1 exists. Replace it?").arg(whole)) == QMessageBox::Yes;
+    return asked ? whole : QString();
 }
-
-} // namespace
 
 void MainWindow::buildChartMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&Pattern"));
@@ -77,7 +96,7 @@ void MainWindow::newChart() {
 
 bool MainWindow::saveChart() {
     const QString path = m_document.path();
-    return path.endsWith(QStringLiteral(".knitt")) ? saveChartTo(path) : saveChartAs();
+    return path.endsWith(QStringLiteral(".knitt"), Qt::CaseInsensitive) ? saveChartTo(path) : saveChartAs();
 }
 
 bool MainWindow::saveChartAs() {
@@ -86,9 +105,8 @@ bool MainWindow::saveChartAs() {
     }
     const QString start =
         m_session.lastFolder() + u'/' + QFileInfo(m_document.title()).baseName() + QStringLiteral(".knitt");
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save the chart"), start, tr("Charts (*.knitt)"));
-    return !path.isEmpty() && saveChartTo(withExtension(path, QStringLiteral(".knitt")));
+    const QString path = askWhere(tr("Save the chart"), start, {tr("Charts (*.knitt)")});
+    return !path.isEmpty() && saveChartTo(path);
 }
 
 bool MainWindow::saveChartTo(const QString& path) {
@@ -108,15 +126,21 @@ bool MainWindow::saveChartTo(const QString& path) {
 
 void MainWindow::exportMachineData() {
     const auto file = m_document.file();
+    if (m_document.project() && !m_document.fabricFollowsChart()) {
+        m_banner->showMessage(Banner::Kind::Error,
+                              m_document.isRebuilding()
+                                  ? tr("The program of the chart is not ready yet.")
+                                  : tr("The chart cannot be knitted as it is: there is no machine data."));
+        return;
+    }
     const QString start =
         m_session.lastFolder() + u'/' + QFileInfo(m_document.title()).baseName() + QStringLiteral(".k");
-    QString path = QFileDialog::getSaveFileName(
-        this, tr("Export machine data"), start,
-        tr("Knitout (*.k *.knitout);;Shima DAT (*.dat);;Kniterate k-code (*.kc)"));
+    const QString path =
+        askWhere(tr("Export machine data"), start,
+                 {tr("Knitout (*.k *.knitout)"), tr("Shima DAT (*.dat)"), tr("Kniterate k-code (*.kc)")});
     if (path.isEmpty()) {
         return;
     }
-    path = withExtension(path, QStringLiteral(".k"));
     const std::filesystem::path target(path.toStdString());
     const auto bytes = formats::writeProgram(file->timeline->program(), target);
     Diagnostics problems = bytes.diagnostics();
@@ -136,10 +160,13 @@ void MainWindow::exportMachineData() {
 
 void MainWindow::offerRecovery() {
     const auto found = document::Recovery::leftovers();
-    if (found.empty()) {
+    const auto newest = std::ranges::find_if(found, [](const document::Recovery::Leftover& leftover) {
+        return bool(pattern::readProjectFile(std::filesystem::path(leftover.path.toStdString())));
+    });
+    if (newest == found.end()) {
         return;
     }
-    m_leftover = found.front();
+    m_leftover = *newest;
     m_banner->showMessage(
         Banner::Kind::Note,
         tr("Unsaved work on %1 of %2 was found.")
@@ -158,10 +185,15 @@ void MainWindow::restoreLeftover() {
     const auto chart = std::make_shared<const pattern::Project>(std::move(project).value());
     whenLeft([this, leftover, chart] {
         m_document.openProject(leftover.title, chart, true);
-        // The copy of before is kept until this one is its own.
         connect(
             &m_document, &document::Document::opened, this,
-            [leftover] { document::Recovery::discard(leftover); }, Qt::SingleShotConnection);
+            [this, leftover, chart] {
+                if (m_document.project() == chart) { // not something else that was faster
+                    m_document.keepCopy();
+                    document::Recovery::discard(leftover);
+                }
+            },
+            Qt::SingleShotConnection);
     });
 }
 

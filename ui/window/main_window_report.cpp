@@ -1,6 +1,7 @@
 #include "core/base/sha256.h"
 #include "core/export/report.h"
 #include "core/machine/profile_library.h"
+#include "core/pattern/project.h"
 #include "ui/document/message_text.h"
 #include "ui/window/banner.h"
 #include "ui/window/machine_choice.h"
@@ -39,8 +40,11 @@ void finish(exports::Report& report, const document::OpenedFile& file,
             const std::vector<machine::CarrierYarn>& carriers) {
     const document::OpenRequest& request = file.request;
     report.file = (request.path.isEmpty() ? request.title : request.path).toStdString();
-    const Result<std::string> bytes = request.path.isEmpty() ? Result<std::string>(request.text.toStdString())
-                                                             : readFile(request.path.toStdString());
+    // Of a chart what is saved, or would be.
+    const Result<std::string> bytes = file.project ? pattern::writeProject(*file.project)
+                                      : request.path.isEmpty()
+                                          ? Result<std::string>(request.text.toStdString())
+                                          : readFile(request.path.toStdString());
     report.sha256 = bytes ? sha256(bytes.value()) : "";
     if (file.readable()) {
         report.knitting = exports::describe(*file.timeline, *file.fabric, carriers);

@@ -47,12 +47,15 @@ ChartCanvas::ChartCanvas(document::Document& document, QWidget* parent)
     connect(&m_document, &document::Document::stepChanged, this, repaint);
     connect(&m_document, &document::Document::selectionChanged, this, repaint);
     connect(&m_document, &document::Document::yarnsChanged, this, repaint);
+    connect(&m_document, &document::Document::problemsChanged, this, repaint);
+    connect(&m_document, &document::Document::selectionChanged, this, &ChartCanvas::showSelected);
     takeChart();
 }
 
 void ChartCanvas::takeChart() {
     m_stroke.reset();
     m_moved.reset();
+    m_drag = Drag::None;
     m_project = m_document.project();
     const Chart& chart = shown();
     if (m_selection != pattern::inside(chart, m_selection)) {
@@ -312,6 +315,9 @@ void ChartCanvas::endSelecting() {
 void ChartCanvas::mousePressEvent(QMouseEvent* event) {
     const QPoint position = event->position().toPoint();
     const auto place = placeAt(position);
+    if (m_stroke || m_drag != Drag::None) {
+        return; // another button is at work
+    }
     m_pressed = position;
     m_scrollAtPress = m_geometry.scroll;
     if (event->button() == Qt::MiddleButton) {
@@ -359,11 +365,11 @@ void ChartCanvas::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void ChartCanvas::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() == Qt::MiddleButton) {
+    if (event->button() == Qt::MiddleButton && m_drag == Drag::Scroll) {
         m_drag = Drag::None;
     } else if (event->button() == Qt::LeftButton) {
         endStroke();
-        if (m_drag != Drag::None) {
+        if (m_drag != Drag::None && m_drag != Drag::Scroll) {
             endSelecting();
         }
     }
@@ -379,7 +385,21 @@ void ChartCanvas::moveCursor(int across, int up, bool selecting) {
         m_anchor = m_cursor;
         select({});
     }
-    const QRect cell = rectOf({m_cursor.wale, m_cursor.course, 1, 1});
+    scrollTo(m_cursor);
+    setAccessibleDescription(textOf(m_cursor));
+    emit hovered(textOf(m_cursor));
+    viewport()->update();
+}
+
+/// What is selected elsewhere comes into view.
+void ChartCanvas::showSelected() {
+    if (const auto cell = m_document.cellOfLoop(m_document.selection().loop)) {
+        scrollTo(*cell);
+    }
+}
+
+void ChartCanvas::scrollTo(CellPlace place) {
+    const QRect cell = rectOf({place.wale, place.course, 1, 1});
     const QRect area = m_geometry.chartArea();
     const auto excess = [](int low, int high, int from, int to) {
         return low < from ? low - from : high > to ? high - to : 0;
@@ -388,9 +408,6 @@ void ChartCanvas::moveCursor(int across, int up, bool selecting) {
                                     excess(cell.left(), cell.right(), area.left(), area.right()));
     verticalScrollBar()->setValue(verticalScrollBar()->value() +
                                   excess(cell.top(), cell.bottom(), area.top(), area.bottom()));
-    setAccessibleDescription(textOf(m_cursor));
-    emit hovered(textOf(m_cursor));
-    viewport()->update();
 }
 
 void ChartCanvas::keyPressEvent(QKeyEvent* event) {
@@ -419,7 +436,7 @@ void ChartCanvas::keyPressEvent(QKeyEvent* event) {
         m_drag = Drag::None;
         select({});
         viewport()->update();
-        break;
+        return;
     case Qt::Key_Plus:
     case Qt::Key_Equal:
         return zoomIn();
@@ -433,11 +450,12 @@ void ChartCanvas::keyPressEvent(QKeyEvent* event) {
 
 bool ChartCanvas::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
-        // Arrow keys step the machine elsewhere; here they move the cursor.
+        // Arrow keys step the machine elsewhere; here they move the cursor. Escape ends what is under way.
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool arrow = key->key() >= Qt::Key_Left && key->key() <= Qt::Key_Down;
         const bool plain = key->modifiers() == Qt::NoModifier || key->modifiers() == Qt::ShiftModifier;
-        if (arrow && plain) {
+        const bool busy = m_stroke || m_drag != Drag::None || !m_selection.empty();
+        if ((arrow && plain) || (key->key() == Qt::Key_Escape && busy)) {
             event->accept();
             return true;
         }

@@ -92,6 +92,8 @@ private:
     void dragSelection(pattern::CellPlace at);
     void endSelecting();
     void moveCursor(int across, int up, bool selecting);
+    void showSelected();
+    void scrollTo(pattern::CellPlace place);
     QRect handle() const; ///< that repeats the selection when it is dragged
     QRect rectOf(pattern::CellRange range) const;
     QString textOf(pattern::CellPlace place) const;
@@ -103,6 +105,7 @@ private:
     void paintLines(QPainter& painter) const;
     void paintHeaders(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
+    void paintProblems(QPainter& painter) const;
     const QPixmap& symbol(pattern::Stitch stitch, const QSize& size, bool darkInk);
 
     document::Document& m_document;

@@ -176,6 +176,21 @@ void ChartCanvas::paintMarks(QPainter& painter) const {
     }
 }
 
+void ChartCanvas::paintProblems(QPainter& painter) const {
+    const Accents accents = accentsOf(palette());
+    const QRect area = m_geometry.chartArea();
+    for (const auto& [loop, problem] : m_document.problemMarks()) {
+        const auto place = m_document.cellOfLoop(loop);
+        const QRectF cell = place ? QRectF(rectOf({place->wale, place->course, 1, 1})) : QRectF();
+        if (!area.intersects(cell.toRect())) {
+            continue;
+        }
+        paintProblemCorner(painter, cell,
+                           problem.severity == Severity::Error ? accents.error : accents.warning,
+                           palette().color(QPalette::Base));
+    }
+}
+
 void ChartCanvas::paintHeaders(QPainter& painter) const {
     const QRect area = m_geometry.chartArea();
     const QColor ground = palette().color(QPalette::Window);
@@ -225,6 +240,7 @@ void ChartCanvas::paintEvent(QPaintEvent*) {
     paintGrounds(painter);
     paintLines(painter);
     paintCells(painter);
+    paintProblems(painter);
     paintMarks(painter);
     painter.restore();
     paintHeaders(painter);

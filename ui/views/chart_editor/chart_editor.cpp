@@ -134,6 +134,8 @@ void ChartEditor::addEdit(const QString& name, const QString& text, const QKeySe
     auto* made = new QAction(text, this);
     made->setObjectName(name);
     made->setShortcut(key);
+    made->setShortcutContext(Qt::WidgetWithChildrenShortcut); // other views copy and paste, too
+    addAction(made);
     m_editActions << made;
     connect(made, &QAction::triggered, this, action);
 }

@@ -44,6 +44,10 @@ void ChartStroke::moveTo(CellPlace at) {
 void ChartStroke::stampAt(CellPlace at) {
     m_chart = m_before;
     const pattern::Chart& part = m_module->part;
+    if (!m_module->tiles) {
+        pattern::paste(m_chart, at, part, pattern::PasteWhat::Stitches);
+        return;
+    }
     const pattern::CellRange dragged = pattern::rangeOf(m_first, at);
     const auto whole = [](int size, int of) { return (size + of - 1) / of * of; };
     const pattern::CellRange range{dragged.wale, dragged.course, whole(dragged.width, part.width),

@@ -89,7 +89,12 @@ StitchPalette::StitchPalette(QWidget* parent) : QWidget(parent), m_buttons(new Q
 }
 
 void StitchPalette::setBothAllowed(bool allowed) {
-    m_buttons->button(static_cast<int>(Stitch::Both))->setVisible(allowed);
+    QAbstractButton* both = m_buttons->button(static_cast<int>(Stitch::Both));
+    both->setVisible(allowed);
+    if (!allowed && both->isChecked()) {
+        choose(Stitch::Knit);
+        emit changed();
+    }
 }
 
 void StitchPalette::choose(std::optional<Stitch> stitch) {
@@ -129,6 +134,10 @@ void YarnPalette::take() {
         return;
     }
     const auto& yarns = project->chart.yarns;
+    if (m_chosen && *m_chosen >= yarns.size()) {
+        m_chosen.reset();
+        emit changed();
+    }
     for (std::size_t i = 0; i < yarns.size(); ++i) {
         const auto index = static_cast<std::uint8_t>(i);
         QColor colour(yarns[i].colour.r, yarns[i].colour.g, yarns[i].colour.b);
@@ -154,7 +163,7 @@ void YarnPalette::take() {
             emit changed();
         });
     }
-    if (yarns.size() < kMostYarns) {
+    if (yarns.size() < std::min(kMostYarns, m_document.carriers().size())) {
         auto* add = new QToolButton(this);
         add->setObjectName(QStringLiteral("addYarn"));
         add->setText(QStringLiteral("+"));

@@ -171,7 +171,9 @@ void FabricView::Implementation::moveSection(double notches) {
 
 bool FabricView::showAlone(Alone what) {
     const int loop = m->content.selected >= 0 ? m->content.selected : m->content.hovered;
-    if (what != Alone::Nothing && (!m->shownFabric || loop < 0)) {
+    const bool known =
+        m->shownFabric && loop >= 0 && static_cast<std::size_t>(loop) < m->shownFabric->loops.size();
+    if (what != Alone::Nothing && !known) {
         return false;
     }
     m->alone = what;

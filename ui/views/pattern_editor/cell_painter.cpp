@@ -119,6 +119,15 @@ void paintSymbol(QPainter& painter, const QRectF& rect, StitchMark mark, const Q
     painter.drawPath(place.map(extrasOf(mark)));
 }
 
+void paintProblemCorner(QPainter& painter, const QRectF& cell, const QColor& colour, const QColor& rim) {
+    const double size = std::max(7.0, 0.6 * std::min(cell.width(), cell.height()));
+    const QPointF corner = cell.topRight();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(rim, 1));
+    painter.setBrush(colour);
+    painter.drawPolygon(QPolygonF{{corner, corner - QPointF(size, 0), corner + QPointF(0, size)}});
+}
+
 QColor CellPainter::ground(const QColor& yarn, bool rear, bool faint, const QColor& base) {
     const QColor full = rear ? mixed(yarn, Qt::black, yarn.lightnessF() < 0.25F ? 0.45F : 0.24F) : yarn;
     return faint ? mixed(full, base, 0.82F) : full;

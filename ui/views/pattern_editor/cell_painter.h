@@ -26,6 +26,9 @@ private:
     QHash<quint64, QPixmap> m_symbols;
 };
 
+/// A corner in the colour of a problem, on a rim that stands out from any yarn.
+void paintProblemCorner(QPainter& painter, const QRectF& cell, const QColor& colour, const QColor& rim);
+
 /// One symbol without a cache, for legends and thumbnails.
 void paintSymbol(QPainter& painter, const QRectF& rect, document::StitchMark mark, const QColor& ink);
 

@@ -149,21 +149,17 @@ void PatternGrid::paintMarker(QPainter& painter, LoopIndex loop, const QColor& c
     painter.drawRoundedRect(rect, 2, 2);
 }
 
-/// A corner in the colour of the severity, on a rim that stands out from any yarn.
 void PatternGrid::paintProblems(QPainter& painter) const {
     const Accents accents = accentsOf(palette());
     const QRect area = m_chart.chartArea();
-    painter.setRenderHint(QPainter::Antialiasing, true);
     for (const auto& [loop, problem] : m_document.problemMarks()) {
         const QRectF cell = rectOf(loop);
         if (!area.intersects(cell.toRect())) {
             continue;
         }
-        const double size = std::max(7.0, 0.6 * std::min(cell.width(), cell.height()));
-        const QPointF corner = cell.topRight();
-        painter.setPen(QPen(palette().color(QPalette::Base), 1));
-        painter.setBrush(problem.severity == Severity::Error ? accents.error : accents.warning);
-        painter.drawPolygon(QPolygonF{{corner, corner - QPointF(size, 0), corner + QPointF(0, size)}});
+        paintProblemCorner(painter, cell,
+                           problem.severity == Severity::Error ? accents.error : accents.warning,
+                           palette().color(QPalette::Base));
     }
 }
 
