@@ -198,6 +198,47 @@ private slots:
         QVERIFY(hasErrors(document().save("/no/such/folder/mine.knitt")));
     }
 
+    void aYarnGivenToACarrierIsKept() {
+        newChart(9, 7);
+        const auto* yarn = document().library().find("linen-26");
+        QVERIFY(yarn);
+        document().assignYarn(0, *yarn);
+        document().setCarrierColour(0, {1, 2, 3});
+        QCOMPARE(chart().yarns[0].libraryId, std::string("linen-26"));
+        QVERIFY2(document().fabricFollowsChart(), "nothing else changed");
+        const QString path = m_folder.filePath("linen.knitt");
+        QVERIFY(!hasErrors(document().save(path)));
+        open([&] { m_window->openFile(path); });
+        QCOMPARE(document().carriers()[0].yarn.id, std::string("linen-26"));
+        QCOMPARE(document().carriers()[0].yarn.colour, (yarn::Colour{1, 2, 3}));
+    }
+
+    void escapeEndsAStroke() {
+        newChart(9, 7);
+        QTest::mousePress(canvas()->viewport(), Qt::LeftButton, {}, place({1, 1}));
+        QTest::mouseMove(canvas()->viewport(), place({5, 5}));
+        QTest::keyClick(canvas(), Qt::Key_Escape);
+        QTest::mouseRelease(canvas()->viewport(), Qt::LeftButton, {}, place({5, 5}));
+        QCOMPARE(document().undoStack()->count(), 0);
+        canvas()->select({1, 1, 3, 3});
+        QTest::keyClick(canvas(), Qt::Key_Escape);
+        QVERIFY(canvas()->selection().empty());
+    }
+
+    void aChartThatCannotBeKnittedOpensAllTheSame() {
+        pattern::Project project{.chart = pattern::plainChart(6, 6), .machine = {}};
+        project.chart.at(3, 3).stitch = Stitch::Both; // on one bed
+        QFile file(m_folder.filePath("both.knitt"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray::fromStdString(pattern::writeProject(project)));
+        file.close();
+        open([&] { m_window->openFile(file.fileName()); });
+        QVERIFY(!document().fabricFollowsChart());
+        QVERIFY(!document().problems().empty());
+        document().editChart("mend", [](pattern::Chart& chart) { chart.at(3, 3).stitch = Stitch::Knit; });
+        QTRY_VERIFY(document().fabricFollowsChart());
+    }
+
     void aSampleIsAChartOfItsOwn() {
         open([&] { m_window->openSample("cable-left"); });
         QCOMPARE(chart(), pattern::sampleChart("cable-left"));
