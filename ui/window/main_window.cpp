@@ -340,7 +340,9 @@ void MainWindow::showGallery() {
 }
 
 QString MainWindow::openFilter() {
-    return tr("Charts and machine programs (*.knitt *.k *.knitout *.dat *.kc *.sin);;All files (*)");
+    return tr("Charts and machine programs (*.knitt *.k *.knitout *.dat *.kc *.sin);;"
+              "WKT of 1998 is not publicly documented: knitout or Sintral text fills its place (*.k *.sin);;"
+              "All files (*)");
 }
 
 void MainWindow::chooseFile() {

@@ -10,6 +10,7 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -143,6 +144,31 @@ private slots:
         QVERIFY(meter.turns() > 0);
         const auto* view = window.findChild<FabricView*>("fabricView");
         qInfo("renderer %s, last paint %.1f ms", qPrintable(view->rendererName()), view->lastPaintMs());
+    }
+
+    void editingAChartOf60x60() {
+        MainWindow window;
+        window.resize(1280, 800);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        auto project = std::make_shared<pattern::Project>();
+        project->chart = pattern::plainChart(60, 60);
+        QSignalSpy opened(&window.document(), &document::Document::opened);
+        window.document().openProject("60 x 60", project);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 60000);
+        QTRY_COMPARE_WITH_TIMEOUT(window.document().activity(), document::Activity::AtRest, 60000);
+        GapMeter meter;
+        meter.reset();
+        for (int i = 0; i < 5; ++i) {
+            QSignalSpy shown(&window.document(), &document::Document::fabricShown);
+            QElapsedTimer timer;
+            timer.start();
+            window.document().editChart(
+                "purl", [i](pattern::Chart& chart) { chart.at(20 + i, 30).stitch = pattern::Stitch::Purl; });
+            QTRY_COMPARE_WITH_TIMEOUT(shown.count(), 1, 10000);
+            qInfo("the fabric of 60 x 60 follows after %lld ms", static_cast<long long>(timer.elapsed()));
+        }
+        report("editing 60 x 60", meter);
     }
 
     void painting150000Stitches() {
