@@ -90,7 +90,7 @@ ExportDialog::ExportDialog(ExportSource source, const QString& path, QSize view,
     m_format->setObjectName(QStringLiteral("exportFormat"));
     m_format->setToolTip(tr("What is written"));
     m_path->setObjectName(QStringLiteral("exportPath"));
-    m_path->setToolTip(tr("File to write; one that is there is replaced"));
+    m_path->setToolTip(tr("File to write; one that is there is replaced when you export twice"));
     m_browse->setToolTip(tr("Choose a folder and a name"));
     m_side->setObjectName(QStringLiteral("exportSide"));
     m_side->setToolTip(tr("From where the fabric is shown"));
@@ -194,6 +194,12 @@ void ExportDialog::start() {
                   m_width->value(),
                   m_height->value(),
                   m_transparent->isChecked()};
+    if (QFileInfo::exists(m_path->text()) && m_replaced != m_path->text()) {
+        m_replaced = m_path->text();
+        m_problem->setText(tr("This file exists. Export once more to replace it, or choose another name."));
+        m_problem->setAccessibleDescription(m_problem->text());
+        return;
+    }
     m_cancelled = false;
     m_progress->setValue(0);
     setWorking(true);

@@ -50,6 +50,7 @@ private:
     QCheckBox* m_transparent;
     QLabel* m_hint;
     QLabel* m_problem;
+    QString m_replaced; ///< file that exists and was asked about
     QProgressBar* m_progress;
     QPushButton* m_export;
     QPushButton* m_close;

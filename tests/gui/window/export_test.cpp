@@ -11,6 +11,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
+#include <QFile>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
@@ -89,6 +90,24 @@ private slots:
             }
         }
         QVERIFY(opaque > 200);
+    }
+
+    void asksBeforeItReplacesAFile() {
+        openSample("plain");
+        const QString path = m_out->filePath("there.csv");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("mine");
+        file.close();
+        openDialog();
+        find<QComboBox>("exportFormat")->setCurrentIndex(6);
+        setPath(path);
+        QTest::mouseClick(find<QPushButton>("exportStart"), Qt::LeftButton);
+        QVERIFY(find<QLabel>("exportProblem")->text().contains("exists"));
+        QCOMPARE(QFileInfo(path).size(), 4);
+        QTest::mouseClick(find<QPushButton>("exportStart"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_dialog, 30000);
+        QVERIFY(QFileInfo(path).size() > 500);
     }
 
     void pixelsAreForPicturesOnly() {
