@@ -22,8 +22,13 @@ bool hasErrors(const Diagnostics& diagnostics) {
 }
 
 bool hasWarnings(const Diagnostics& diagnostics) {
-    return std::any_of(diagnostics.begin(), diagnostics.end(),
-                       [](const Diagnostic& d) { return d.severity != Severity::Info; });
+    return problemCount(diagnostics) > 0;
+}
+
+std::size_t problemCount(const Diagnostics& diagnostics) {
+    return static_cast<std::size_t>(
+        std::count_if(diagnostics.begin(), diagnostics.end(),
+                      [](const Diagnostic& d) { return d.severity != Severity::Info; }));
 }
 
 } // namespace knittsim

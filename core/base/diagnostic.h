@@ -41,4 +41,7 @@ bool hasErrors(const Diagnostics& diagnostics);
 /// Something worse than a note.
 bool hasWarnings(const Diagnostics& diagnostics);
 
+/// Errors and warnings; not notes.
+std::size_t problemCount(const Diagnostics& diagnostics);
+
 } // namespace knittsim

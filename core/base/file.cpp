@@ -3,6 +3,7 @@
 #include "core/base/atomic_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -49,6 +50,13 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxB
         return failure("KS0001", path, errno);
     }
     return bytes;
+}
+
+std::string lowerExtension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
 }
 
 std::vector<std::filesystem::path> jsonFiles(const std::filesystem::path& folder) {

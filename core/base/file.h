@@ -18,6 +18,9 @@ constexpr std::size_t kMaxFileBytes = std::size_t{32} << 20;
 /// beforehand, while reading).
 Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxBytes = kMaxFileBytes);
 
+/// ".PNG" -> ".png"; empty without one.
+std::string lowerExtension(const std::filesystem::path& path);
+
 /// The *.json files of a folder by name, without *.schema.json; empty where there is no such folder.
 std::vector<std::filesystem::path> jsonFiles(const std::filesystem::path& folder);
 

@@ -1,7 +1,8 @@
 #include "core/export/report.h"
 
+#include "core/base/file.h"
+
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -94,9 +95,7 @@ Knitting describe(const machine::Timeline& timeline, const fabric::Fabric& fabri
 }
 
 Result<Written> writeReport(const Report& report, const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = lowerExtension(path);
     if (extension == ".html" || extension == ".htm") {
         return writeFileAtomically(path, toHtml(report));
     }

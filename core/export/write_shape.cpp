@@ -1,11 +1,11 @@
 #include "core/export/write_shape.h"
 
+#include "core/base/file.h"
 #include "core/export/writers.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
 
 static_assert(std::endian::native == std::endian::little, "binary formats are written as they lie in memory");
 
@@ -65,9 +65,7 @@ Result<Written> write(Output& out, const std::filesystem::path& path, Format for
 } // namespace
 
 std::optional<Format> formatOf(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = lowerExtension(path);
     const auto* found = std::ranges::find(kExtensions, extension, &Extension::text);
     return found != kExtensions.end() ? std::optional(found->format) : std::nullopt;
 }

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 
 namespace knittsim::formats {
@@ -64,13 +63,6 @@ constexpr std::array kSignatures{
 };
 
 constexpr std::string_view kUndocumented = ".wkt";
-
-std::string lowerExtension(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
 
 Diagnostic failure(const char* id, const std::filesystem::path& path, std::string what) {
     return {id, Severity::Error, Place{.file = path.string()}, {std::move(what)}};

@@ -1,6 +1,6 @@
 #include "core/pattern/program_builder.h"
 
-#include <fmt/format.h>
+#include "core/yarn/colour_text.h"
 
 namespace knittsim::pattern {
 
@@ -24,7 +24,7 @@ void ProgramBuilder::colour(CarrierIndex carrier, yarn::Colour colour) {
     Operation& operation = add(OperationKind::Colour);
     operation.carriers.push(carrier);
     operation.text = static_cast<std::int32_t>(m_program.texts.size());
-    m_program.texts.push_back(fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b));
+    m_program.texts.push_back(yarn::colourText(colour));
 }
 
 void ProgramBuilder::stitchNumber(double number) {

@@ -3,7 +3,7 @@
 #include "core/base/file.h"
 #include "core/base/json_reader.h"
 #include "core/formats/formats.h"
-#include "core/machine/profile_library.h"
+#include "core/yarn/colour_text.h"
 
 #include <fmt/format.h>
 
@@ -41,10 +41,6 @@ std::size_t yarnOf(char digit) {
     return digit >= '0' && digit <= '9'   ? static_cast<std::size_t>(digit - '0')
            : digit >= 'a' && digit <= 'z' ? static_cast<std::size_t>(digit - 'a') + 10
                                           : kMaxYarns;
-}
-
-std::string colourText(yarn::Colour colour) {
-    return fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b);
 }
 
 /// One course, on one line.
@@ -136,16 +132,7 @@ private:
         for (std::size_t i = 0; i < yarns.size(); ++i) {
             JsonReader reader(yarns[i], m_name, m_problems, fmt::format("yarns[{}]", i));
             ChartYarn yarn{reader.text("carrier"), {}, reader.optionalText("library_id")};
-            const std::string colour = reader.text("colour");
-            unsigned value = 0;
-            if (colour.size() == 7 && colour[0] == '#' &&
-                colour.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos) {
-                value = static_cast<unsigned>(std::stoul(colour.substr(1), nullptr, 16));
-            } else {
-                reader.report("colour", '"' + colour + '"', "a colour such as #a1b2c3");
-            }
-            yarn.colour = {static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
-                           static_cast<std::uint8_t>(value)};
+            yarn.colour = yarn::readColour(reader);
             reader.rejectUnknownKeys();
             m_project.chart.yarns.push_back(std::move(yarn));
         }
@@ -232,9 +219,9 @@ std::string writeProject(const Project& project) {
     text += "\"yarns\": [";
     for (std::size_t i = 0; i < chart.yarns.size(); ++i) {
         const ChartYarn& yarn = chart.yarns[i];
-        text +=
-            fmt::format("{}\n{{\"carrier\": {}, \"colour\": \"{}\", \"library_id\": {}}}", i > 0 ? "," : "",
-                        json(yarn.carrier).dump(), colourText(yarn.colour), json(yarn.libraryId).dump());
+        text += fmt::format("{}\n{{\"carrier\": {}, \"colour\": \"{}\", \"library_id\": {}}}",
+                            i > 0 ? "," : "", json(yarn.carrier).dump(), yarn::colourText(yarn.colour),
+                            json(yarn.libraryId).dump());
     }
     text += "\n],\n\"courses\": [";
     for (int c = 0; c < chart.height(); ++c) {
@@ -259,8 +246,21 @@ Result<Project> readProjectFile(const std::filesystem::path& path) {
     return readProject(text.value(), path.string());
 }
 
+bool isProjectFile(const std::filesystem::path& path) {
+    return lowerExtension(path) == kProjectExtension;
+}
+
+CompileOptions optionsOf(const Project& project, const machine::ProfileLibrary& machines) {
+    machine::Program named;
+    named.header.machine = project.machine;
+    auto machine = machine::chooseProfile(named, machines);
+    return {.castOn = project.castOn,
+            .ending = project.ending,
+            .machine = machine ? std::move(machine).value() : machine::genericProfile()};
+}
+
 Result<machine::Program> readAnyProgram(const std::filesystem::path& path) {
-    if (path.extension() != kProjectExtension) {
+    if (!isProjectFile(path)) {
         return formats::readProgram(path);
     }
     const Result<Project> project = readProjectFile(path);
@@ -269,12 +269,7 @@ Result<machine::Program> readAnyProgram(const std::filesystem::path& path) {
     }
     Diagnostics ignored; // whoever chooses the machine to check it on hears of them
     const auto machines = machine::ProfileLibrary::read(machine::profileFolders(), ignored);
-    machine::Program named;
-    named.header.machine = project.value().machine;
-    const auto machine = machine::chooseProfile(named, machines);
-    return compile(project.value().chart, {.castOn = project.value().castOn,
-                                           .ending = project.value().ending,
-                                           .machine = machine ? machine.value() : machine::genericProfile()});
+    return compile(project.value().chart, optionsOf(project.value(), machines));
 }
 
 } // namespace knittsim::pattern

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/machine/profile_library.h"
 #include "core/pattern/compile.h"
 
 #include <filesystem>
@@ -47,6 +48,12 @@ Result<Project> readProject(std::string_view text, const std::string& file);
 
 /// Errors: those of readFile and of above.
 Result<Project> readProjectFile(const std::filesystem::path& path);
+
+/// By its extension, in whatever case.
+bool isProjectFile(const std::filesystem::path& path);
+
+/// How the project is compiled: on the machine that it names, else on the one that files without a name get.
+CompileOptions optionsOf(const Project& project, const machine::ProfileLibrary& machines);
 
 /// The program of a file: machine data of any format, or that of a chart, on the machine that it names.
 /// Errors: those of formats::readProgram, of above and of compile().

@@ -17,11 +17,12 @@ struct Colour {
 
 /// What the eye sees of a yarn.
 struct Surface {
-    std::string kind = "smooth";   ///< smooth, hairy, bulky, matte, glossy, lustrous, crimped, slubby, halo, soft
-    double hairiness = 0.3;        ///< 0 (none) .. 1 (brushed mohair)
+    std::string kind =
+        "smooth";           ///< smooth, hairy, bulky, matte, glossy, lustrous, crimped, slubby, halo, soft
+    double hairiness = 0.3; ///< 0 (none) .. 1 (brushed mohair)
     int plies = 2;
-    double twistPerMetre = 300;    ///< turns of the plies per metre; positive = S
-    double melange = 0;            ///< 0 (solid) .. 1 (strongly mixed) colour variation along the yarn
+    double twistPerMetre = 300; ///< turns of the plies per metre; positive = S
+    double melange = 0;         ///< 0 (solid) .. 1 (strongly mixed) colour variation along the yarn
 
     bool operator==(const Surface&) const = default;
 };
@@ -31,20 +32,20 @@ struct Yarn {
     std::string id;
     std::string name;
     std::string fibre;
-    std::string count;                     ///< as the trade writes it, for example "Nm 2/30"
-    double tex = 67;                       ///< linear density, g/km
-    double outerDiameterMm = 0.36;         ///< hull of the fibres
-    double coreDiameterMm = 0.27;          ///< packed fibres: the hard part
-    double axialStiffnessMilliNewton = 38e3;     ///< EA, mN
-    double bendingStiffness = 8.7;         ///< EI, mN mm^2
-    double friction = 0.22;                ///< yarn on yarn, Coulomb
+    std::string count;                       ///< as the trade writes it, for example "Nm 2/30"
+    double tex = 67;                         ///< linear density, g/km
+    double outerDiameterMm = 0.36;           ///< hull of the fibres
+    double coreDiameterMm = 0.27;            ///< packed fibres: the hard part
+    double axialStiffnessMilliNewton = 38e3; ///< EA, mN
+    double bendingStiffness = 8.7;           ///< EI, mN mm^2
+    double friction = 0.22;                  ///< yarn on yarn, Coulomb
     Colour colour;
     Surface surface;
-    std::map<std::string, std::string> sources;  ///< JSON key -> where its number comes from
+    std::map<std::string, std::string> sources; ///< JSON key -> where its number comes from
     std::string note;
 
-    double nm() const { return 1000.0 / tex; }       ///< metres per gram
-    double ne() const { return 590.54 / tex; }       ///< English cotton count
+    double nm() const { return 1000.0 / tex; } ///< metres per gram
+    double ne() const { return 590.54 / tex; } ///< English cotton count
 
     bool operator==(const Yarn&) const = default;
 };

@@ -3,6 +3,7 @@
 #include "core/base/file.h"
 #include "core/base/json_reader.h"
 #include "core/base/units.h"
+#include "core/yarn/colour_text.h"
 
 #include <fmt/format.h>
 
@@ -22,32 +23,6 @@ constexpr double kCountTolerance = 0.01;
 
 const std::vector<std::string> kSurfaceKinds{"smooth",   "hairy",   "bulky",  "matte", "glossy",
                                              "lustrous", "crimped", "slubby", "halo",  "soft"};
-
-int hexDigit(char c) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    const std::size_t found = kDigits.find(c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c);
-    return found == std::string_view::npos ? -1 : static_cast<int>(found);
-}
-
-Colour readColour(JsonReader& reader) {
-    const std::string text = reader.text("colour");
-    std::array<int, 3> rgb{};
-    bool good = text.size() == 7 && text[0] == '#';
-    for (std::size_t i = 0; good && i < rgb.size(); ++i) {
-        const int high = hexDigit(text[1 + 2 * i]);
-        const int low = hexDigit(text[2 + 2 * i]);
-        good = high >= 0 && low >= 0;
-        rgb[i] = 16 * high + low;
-    }
-    if (!good) {
-        if (!text.empty()) {
-            reader.report("colour", '"' + text + '"', "a colour such as #a1b2c3");
-        }
-        return {};
-    }
-    return {static_cast<std::uint8_t>(rgb[0]), static_cast<std::uint8_t>(rgb[1]),
-            static_cast<std::uint8_t>(rgb[2])};
-}
 
 bool agrees(double value, double expected) {
     return std::abs(value - expected) <= kCountTolerance * expected;
@@ -122,10 +97,6 @@ Yarn yarnOf(JsonReader& reader) {
     yarn.note = reader.optionalText("note");
     reader.rejectUnknownKeys();
     return yarn;
-}
-
-std::string colourText(Colour colour) {
-    return fmt::format("#{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b);
 }
 
 /// Four significant digits: enough for a count.

@@ -1,10 +1,9 @@
 #include "ui/dialogs/export_job.h"
 
+#include "core/base/file.h"
 #include "core/export/write_shape.h"
 #include "ui/render/offscreen.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace knittsim::ui {
@@ -72,10 +71,7 @@ Result<Written> writeGeometry(const ExportJob& job, const Progress& progress) {
 } // namespace
 
 bool isPicture(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".png";
+    return lowerExtension(path) == ".png";
 }
 
 Result<Written> writeExport(const ExportJob& job, const Progress& progress) {

@@ -35,15 +35,6 @@ Result<machine::Program> readRequest(const OpenRequest& request) {
                : formats::readProgram(std::filesystem::path(request.path.toStdString()));
 }
 
-machine::MachineProfile machineOf(const pattern::Project& project) {
-    Diagnostics ignored; // the file's own choice of a machine reports them
-    const auto machines = machine::ProfileLibrary::read(machine::profileFolders(), ignored);
-    machine::Program named;
-    named.header.machine = project.machine;
-    auto profile = machine::chooseProfile(named, machines);
-    return profile ? std::move(profile).value() : machine::genericProfile();
-}
-
 /// A program without operations, for a chart that cannot be knitted.
 machine::Program emptyProgram(const machine::MachineProfile& machine) {
     machine::Program program;
@@ -56,32 +47,29 @@ machine::Program emptyProgram(const machine::MachineProfile& machine) {
 }
 
 /// The program of file.project, as text too.
-Result<machine::Program> knitProject(OpenedFile& file, bool keepChart) {
-    const pattern::Project& project = *file.project;
-    const machine::MachineProfile machine = machineOf(project);
-    auto compiled = pattern::compileCourses(
-        project.chart, {.castOn = project.castOn, .ending = project.ending, .machine = machine});
+Result<machine::Program> knitProject(OpenedFile& file, const machine::ProfileLibrary& machines,
+                                     bool keepChart) {
+    const pattern::CompileOptions options = pattern::optionsOf(*file.project, machines);
+    auto compiled = pattern::compileCourses(file.project->chart, options);
     file.diagnostics = compiled.diagnostics();
     if (!compiled && !keepChart) {
         return Result<machine::Program>::failure(file.diagnostics);
     }
     const std::string text =
-        formats::knitout::write(compiled ? compiled.value().program : emptyProgram(machine));
+        formats::knitout::write(compiled ? compiled.value().program : emptyProgram(options.machine));
     file.source = std::make_shared<SourceText>(QString::fromStdString(text));
     file.chartCourseEnds = compiled ? compiled.value().courseEnds : std::vector<OperationIndex>();
     return formats::knitout::parse(text, file.request.title.toStdString());
 }
 
-bool isProject(const QString& path) {
-    return path.endsWith(QString::fromUtf8(pattern::kProjectExtension.data()), Qt::CaseInsensitive);
-}
-
 /// Fills file.source, and file.project where there is a chart.
-Result<machine::Program> readProgramOf(OpenedFile& file, bool keepChart) {
+Result<machine::Program> readProgramOf(OpenedFile& file, const machine::ProfileLibrary& machines,
+                                       bool keepChart) {
     const OpenRequest& request = file.request;
+    const std::filesystem::path path(request.path.toStdString());
     file.project = request.project;
-    if (!file.project && isProject(request.path)) {
-        auto project = pattern::readProjectFile(std::filesystem::path(request.path.toStdString()));
+    if (!file.project && pattern::isProjectFile(path)) {
+        auto project = pattern::readProjectFile(path);
         if (!project) {
             file.source = readSource(request);
             file.diagnostics = project.diagnostics();
@@ -90,7 +78,7 @@ Result<machine::Program> readProgramOf(OpenedFile& file, bool keepChart) {
         file.project = std::make_shared<pattern::Project>(std::move(project).value());
     }
     if (file.project) {
-        return knitProject(file, keepChart);
+        return knitProject(file, machines, keepChart);
     }
     file.source = readSource(request);
     Result<machine::Program> program = readRequest(request);
@@ -143,7 +131,9 @@ std::shared_ptr<const OpenedFile> openFile(const OpenRequest& request, const yar
     auto file = std::make_shared<OpenedFile>();
     file->request = request;
     tell(OpeningStage::Reading);
-    Result<machine::Program> program = readProgramOf(*file, keepChart);
+    Diagnostics problems;
+    const auto machines = machine::ProfileLibrary::read(machine::profileFolders(), problems);
+    Result<machine::Program> program = readProgramOf(*file, machines, keepChart);
     if (!program) {
         return file;
     }
@@ -151,8 +141,6 @@ std::shared_ptr<const OpenedFile> openFile(const OpenRequest& request, const yar
     const auto take = [&](const Diagnostics& found) {
         file->diagnostics.insert(file->diagnostics.end(), found.begin(), found.end());
     };
-    Diagnostics problems;
-    const auto machines = machine::ProfileLibrary::read(machine::profileFolders(), problems);
     take(problems);
     auto profile = machine::chooseProfile(program.value(), machines);
     file->machineOfFile = QString::fromStdString(profile->name);

@@ -282,8 +282,7 @@ void MainWindow::takeFabric() {
 
 void MainWindow::takeProblems() {
     const Diagnostics& found = m_document.problems();
-    const auto notes = std::ranges::count(found, Severity::Info, &Diagnostic::severity);
-    const auto count = static_cast<std::ptrdiff_t>(found.size()) - notes;
+    const std::size_t count = problemCount(found);
     // Notes alone do not push themselves forward, and a dock that was closed stays closed while a chart is
     // drawn.
     if ((count > 0) != (m_problemsShown > 0)) {

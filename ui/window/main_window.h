@@ -160,7 +160,7 @@ private:
     MachineChoice* m_machine = nullptr;
     QMenu* m_recentMenu = nullptr;
     std::optional<document::Recovery::Leftover> m_leftover; ///< offered in the banner
-    std::ptrdiff_t m_problemsShown = 0;                     ///< errors and warnings
+    std::size_t m_problemsShown = 0;                        ///< errors and warnings
     QString m_nothingRuns;                                  ///< what the banner last said about ladders
     QByteArray m_arrangement; ///< of the docks while a file is open; empty: m_layout as it comes
     Layout m_layout = Layout::Standard;

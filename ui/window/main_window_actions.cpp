@@ -466,8 +466,8 @@ void MainWindow::takeActions() {
     findChild<QAction*>(QStringLiteral("actionHistory"))->setChecked(m_history->isSwitchedOn());
     findChild<QAction*>(QStringLiteral("actionOrthographic"))->setChecked(m_fabric->isOrthographic());
     const Diagnostics& found = m_document.problems();
-    const auto notes = std::ranges::count(found, Severity::Info, &Diagnostic::severity);
-    const auto problems = static_cast<std::ptrdiff_t>(found.size()) - notes;
+    const std::size_t problems = problemCount(found);
+    const std::size_t notes = found.size() - problems;
     m_problemButton->setText(found.empty()   ? tr("No problems")
                              : problems == 1 ? tr("1 problem")
                              : problems > 1  ? tr("%1 problems").arg(problems)

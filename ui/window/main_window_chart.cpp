@@ -96,7 +96,7 @@ void MainWindow::newChart() {
 
 bool MainWindow::saveChart() {
     const QString path = m_document.path();
-    return path.endsWith(QStringLiteral(".knitt"), Qt::CaseInsensitive) ? saveChartTo(path) : saveChartAs();
+    return pattern::isProjectFile(path.toStdString()) ? saveChartTo(path) : saveChartAs();
 }
 
 bool MainWindow::saveChartAs() {

@@ -81,9 +81,7 @@ void MainWindow::exportShown() {
     } else if (const auto frame = m_document.shownFrame()) {
         source.places = frame->positions;
     }
-    for (const document::CarrierYarn& carrier : m_document.carriers()) {
-        source.yarns.push_back(carrier.yarn);
-    }
+    source.yarns = machine::yarnsOf(m_document.carriers());
     source.style = m_fabric->style();
     source.camera = m_fabric->cameraState();
     source.section = m_fabric->section();
