@@ -173,7 +173,7 @@ void MainWindow::buildViewMenu() {
     addAction(menu, "actionFarther", tr("Zoom o&ut"), QKeySequence::ZoomOut, {},
               [this] { m_fabric->zoomBy(0.8); });
     addAction(menu, "actionFitChart", tr("Fit the &pattern grid"), Qt::CTRL | Qt::SHIFT | Qt::Key_F, {},
-              [this] { m_document.project() ? m_chart->canvas()->fit() : m_grid->fitChart(); });
+              [this] { m_document.project() ? m_chart->canvas()->fitChart() : m_grid->fitChart(); });
     menu->addSeparator();
     auto* styles = new QActionGroup(this);
     addChoice(menu, styles, "actionStyleYarn", tr("Lit &yarn"), Qt::ALT | Qt::Key_1, "style-yarn",

@@ -5,9 +5,8 @@
 
 #include <QHelpEvent>
 #include <QKeyEvent>
-#include <QScrollBar>
+#include <QMouseEvent>
 #include <QToolTip>
-#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -20,28 +19,21 @@ using pattern::Chart;
 
 namespace {
 
-constexpr int kLeastFitted = 5;
-constexpr int kLargestFitted = 30;
 constexpr int kHandle = 9; ///< pixels
 
 } // namespace
 
 ChartCanvas::ChartCanvas(document::Document& document, QWidget* parent)
-    : QAbstractScrollArea(parent), m_document(document) {
+    : ChartArea({.leastFitted = 5, .largestFitted = 30, .leastWithLines = 6}, parent), m_document(document) {
     setObjectName(QStringLiteral("chartCanvas"));
     setAccessibleName(tr("Chart"));
     setWhatsThis(tr("Wales across, courses up. The left button draws, the right one picks stitch and yarn."));
-    setFocusPolicy(Qt::StrongFocus);
-    setFrameShape(QFrame::NoFrame);
-    viewport()->setMouseTracking(true);
-    horizontalScrollBar()->setSingleStep(24);
-    verticalScrollBar()->setSingleStep(24);
     connect(&m_document, &document::Document::chartChanged, this, &ChartCanvas::takeChart);
     connect(&m_document, &document::Document::opened, this, [this] {
         select({});
         m_cursor = {};
-        fit();
-        verticalScrollBar()->setValue(verticalScrollBar()->maximum());
+        fitChart();
+        scrollToFirstCourse();
     });
     const auto repaint = [this] { viewport()->update(); };
     connect(&m_document, &document::Document::stepChanged, this, repaint);
@@ -63,7 +55,8 @@ void ChartCanvas::takeChart() {
     }
     m_cursor = {std::clamp(m_cursor.wale, 0, std::max(0, chart.width - 1)),
                 std::clamp(m_cursor.course, 0, std::max(0, chart.height() - 1))};
-    layout();
+    setChart(chart.width, chart.height(), chart.beds == pattern::BedUse::Double, 1);
+    layoutChart();
 }
 
 const Chart& ChartCanvas::shown() const {
@@ -173,63 +166,21 @@ void ChartCanvas::removeWales() {
     });
 }
 
-void ChartCanvas::layout() {
-    const Chart& chart = shown();
-    const QFontMetrics metrics(font());
-    const int digits = std::max(3, static_cast<int>(QString::number(chart.height()).size()));
-    m_geometry.columns = chart.width;
-    m_geometry.courses = chart.height();
-    m_geometry.tall = chart.beds == pattern::BedUse::Double;
-    m_geometry.view = viewport()->size();
-    m_geometry.header = {metrics.horizontalAdvance(QString(digits, u'8')) + 14, metrics.height() + 6};
-    const QSize area = m_geometry.chartArea().size();
-    const QSize content = m_geometry.content();
-    horizontalScrollBar()->setRange(0, std::max(0, content.width() - area.width()));
-    horizontalScrollBar()->setPageStep(std::max(1, area.width()));
-    verticalScrollBar()->setRange(0, std::max(0, content.height() - area.height()));
-    verticalScrollBar()->setPageStep(std::max(1, area.height()));
-    m_geometry.scroll = {horizontalScrollBar()->value(), verticalScrollBar()->value()};
-    viewport()->update();
-}
-
-void ChartCanvas::fit() {
-    layout();
-    m_geometry.cellWidth = m_geometry.fittingCell(kLeastFitted, kLargestFitted);
-    layout();
-    m_fitted = true;
-}
-
-void ChartCanvas::setCellWidth(int width, QPoint fixed) {
-    const QPoint before = fixed - m_geometry.origin();
-    const double factor = static_cast<double>(width) / m_geometry.cellWidth;
-    const double factorY = static_cast<double>(m_geometry.cellHeightOf(width)) / m_geometry.cellHeight();
-    m_geometry.cellWidth = width;
-    layout();
-    const QPoint way = fixed - m_geometry.chartArea().topLeft();
-    horizontalScrollBar()->setValue(static_cast<int>(std::lround(before.x() * factor)) - way.x());
-    verticalScrollBar()->setValue(static_cast<int>(std::lround(before.y() * factorY)) - way.y());
-    layout();
-}
-
-void ChartCanvas::zoomAt(QPoint position, int direction) {
-    m_fitted = false;
-    setCellWidth(nextCellWidth(m_geometry.cellWidth, direction), position);
-}
-
 std::optional<CellPlace> ChartCanvas::placeAt(QPoint position) const {
-    const ChartGeometry::Cell cell = m_geometry.cellAt(position);
+    const ChartGeometry::Cell cell = geometryOfChart().cellAt(position);
     return cell.course < 0 ? std::nullopt : std::optional(CellPlace{cell.column, cell.course});
 }
 
 /// Of a position outside the chart: the cell at its edge.
 CellPlace ChartCanvas::nearestPlace(QPoint position) const {
-    const QPoint at = position - m_geometry.origin();
+    const QPoint at = position - geometryOfChart().origin();
     const auto cell = [](int pixels, int size) {
         return static_cast<int>(std::floor(static_cast<double>(pixels) / size));
     };
-    return {std::clamp(cell(at.x(), m_geometry.cellWidth), 0, std::max(0, m_geometry.columns - 1)),
-            std::clamp(m_geometry.courses - 1 - cell(at.y(), m_geometry.cellHeight()), 0,
-                       std::max(0, m_geometry.courses - 1))};
+    return {
+        std::clamp(cell(at.x(), geometryOfChart().cellWidth), 0, std::max(0, geometryOfChart().columns - 1)),
+        std::clamp(geometryOfChart().courses - 1 - cell(at.y(), geometryOfChart().cellHeight()), 0,
+                   std::max(0, geometryOfChart().courses - 1))};
 }
 
 void ChartCanvas::beginStroke(CellPlace at) {
@@ -251,8 +202,9 @@ void ChartCanvas::endStroke() {
 }
 
 QRect ChartCanvas::rectOf(CellRange range) const {
-    const QRect low = m_geometry.cellRect(range.course, range.wale);
-    const QRect high = m_geometry.cellRect(range.course + range.height - 1, range.wale + range.width - 1);
+    const QRect low = geometryOfChart().cellRect(range.course, range.wale);
+    const QRect high =
+        geometryOfChart().cellRect(range.course + range.height - 1, range.wale + range.width - 1);
     return low.united(high);
 }
 
@@ -318,9 +270,8 @@ void ChartCanvas::mousePressEvent(QMouseEvent* event) {
     if (m_stroke || m_drag != Drag::None) {
         return; // another button is at work
     }
-    m_pressed = position;
-    m_scrollAtPress = m_geometry.scroll;
     if (event->button() == Qt::MiddleButton) {
+        beginScrolling(position);
         m_drag = Drag::Scroll;
         return;
     }
@@ -345,9 +296,7 @@ void ChartCanvas::mousePressEvent(QMouseEvent* event) {
 void ChartCanvas::mouseMoveEvent(QMouseEvent* event) {
     const QPoint position = event->position().toPoint();
     if (m_drag == Drag::Scroll) {
-        const QPoint way = position - m_pressed;
-        horizontalScrollBar()->setValue(m_scrollAtPress.x() - way.x());
-        verticalScrollBar()->setValue(m_scrollAtPress.y() - way.y());
+        scrollFrom(position);
         return;
     }
     if (const auto place = placeAt(position)) {
@@ -385,7 +334,7 @@ void ChartCanvas::moveCursor(int across, int up, bool selecting) {
         m_anchor = m_cursor;
         select({});
     }
-    scrollTo(m_cursor);
+    show(m_cursor);
     setAccessibleDescription(textOf(m_cursor));
     emit hovered(textOf(m_cursor));
     viewport()->update();
@@ -394,20 +343,12 @@ void ChartCanvas::moveCursor(int across, int up, bool selecting) {
 /// What is selected elsewhere comes into view.
 void ChartCanvas::showSelected() {
     if (const auto cell = m_document.cellOfLoop(m_document.selection().loop)) {
-        scrollTo(*cell);
+        show(*cell);
     }
 }
 
-void ChartCanvas::scrollTo(CellPlace place) {
-    const QRect cell = rectOf({place.wale, place.course, 1, 1});
-    const QRect area = m_geometry.chartArea();
-    const auto excess = [](int low, int high, int from, int to) {
-        return low < from ? low - from : high > to ? high - to : 0;
-    };
-    horizontalScrollBar()->setValue(horizontalScrollBar()->value() +
-                                    excess(cell.left(), cell.right(), area.left(), area.right()));
-    verticalScrollBar()->setValue(verticalScrollBar()->value() +
-                                  excess(cell.top(), cell.bottom(), area.top(), area.bottom()));
+void ChartCanvas::show(CellPlace place) {
+    scrollTo(rectOf({place.wale, place.course, 1, 1}), 0);
 }
 
 void ChartCanvas::keyPressEvent(QKeyEvent* event) {
@@ -437,15 +378,12 @@ void ChartCanvas::keyPressEvent(QKeyEvent* event) {
         select({});
         viewport()->update();
         return;
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-        return zoomIn();
-    case Qt::Key_Minus:
-        return zoomOut();
     default:
         break;
     }
-    QAbstractScrollArea::keyPressEvent(event);
+    if (!zoomedByKey(event->key())) {
+        ChartArea::keyPressEvent(event);
+    }
 }
 
 bool ChartCanvas::event(QEvent* event) {
@@ -460,27 +398,7 @@ bool ChartCanvas::event(QEvent* event) {
             return true;
         }
     }
-    return QAbstractScrollArea::event(event);
-}
-
-void ChartCanvas::wheelEvent(QWheelEvent* event) {
-    if (event->modifiers() & Qt::ControlModifier) {
-        if (event->angleDelta().y() != 0) {
-            zoomAt(event->position().toPoint(), event->angleDelta().y() > 0 ? +1 : -1);
-        }
-        event->accept();
-        return;
-    }
-    QAbstractScrollArea::wheelEvent(event);
-}
-
-void ChartCanvas::resizeEvent(QResizeEvent*) {
-    m_fitted ? fit() : layout();
-}
-
-void ChartCanvas::scrollContentsBy(int, int) {
-    m_geometry.scroll = {horizontalScrollBar()->value(), verticalScrollBar()->value()};
-    viewport()->update();
+    return ChartArea::event(event);
 }
 
 bool ChartCanvas::viewportEvent(QEvent* event) {
@@ -490,7 +408,7 @@ bool ChartCanvas::viewportEvent(QEvent* event) {
         QToolTip::showText(help->globalPos(), place ? textOf(*place) : QString(), viewport());
         return true;
     }
-    return QAbstractScrollArea::viewportEvent(event);
+    return ChartArea::viewportEvent(event);
 }
 
 QString ChartCanvas::textOf(CellPlace place) const {

@@ -3,9 +3,8 @@
 #include "ui/document/document.h"
 #include "ui/views/chart_editor/chart_stroke.h"
 #include "ui/views/pattern_editor/cell_painter.h"
-#include "ui/views/pattern_editor/chart_geometry.h"
+#include "ui/views/pattern_editor/chart_area.h"
 
-#include <QAbstractScrollArea>
 #include <QHash>
 #include <QPixmap>
 
@@ -14,9 +13,9 @@
 namespace knittsim::ui {
 
 /// The chart that is edited. The left button draws with the tool at hand, the right one picks stitch and
-/// yarn, the middle one moves the chart; the wheel scrolls, with Ctrl it zooms at the cursor. Arrow keys move
-/// a cursor (with Shift they select), Return uses the tool there.
-class ChartCanvas : public QAbstractScrollArea {
+/// yarn, the middle one moves the chart. Arrow keys move a cursor (with Shift they select), Return uses the
+/// tool there.
+class ChartCanvas : public ChartArea {
     Q_OBJECT
 
 public:
@@ -48,13 +47,7 @@ public:
     void insertWales();
     void removeWales();
 
-    void fit();
-    void zoomIn() { zoomAt(viewport()->rect().center(), +1); }
-    void zoomOut() { zoomAt(viewport()->rect().center(), -1); }
-    const ChartGeometry& geometryOfChart() const { return m_geometry; }
-
     QSize sizeHint() const override { return {420, 420}; }
-    QSize minimumSizeHint() const override { return {180, 140}; }
 
 signals:
     void toolChanged();
@@ -64,12 +57,9 @@ signals:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
-    void scrollContentsBy(int dx, int dy) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
-    void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     bool event(QEvent* event) override;
     bool viewportEvent(QEvent* event) override;
@@ -80,9 +70,6 @@ private:
 
     const pattern::Chart& shown() const; ///< with what a stroke or a drag has done so far
     void takeChart();
-    void layout();
-    void setCellWidth(int width, QPoint fixed);
-    void zoomAt(QPoint position, int direction);
     std::optional<pattern::CellPlace> placeAt(QPoint position) const;
     pattern::CellPlace nearestPlace(QPoint position) const;
     pattern::CellRange target() const; ///< the selection, else the cell under the cursor
@@ -93,7 +80,7 @@ private:
     void endSelecting();
     void moveCursor(int across, int up, bool selecting);
     void showSelected();
-    void scrollTo(pattern::CellPlace place);
+    void show(pattern::CellPlace place);
     QRect handle() const; ///< that repeats the selection when it is dragged
     QRect rectOf(pattern::CellRange range) const;
     QString textOf(pattern::CellPlace place) const;
@@ -102,15 +89,12 @@ private:
     // chart_canvas_paint.cpp
     void paintGrounds(QPainter& painter) const;
     void paintCells(QPainter& painter);
-    void paintLines(QPainter& painter) const;
-    void paintHeaders(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
     void paintProblems(QPainter& painter) const;
     const QPixmap& symbol(pattern::Stitch stitch, const QSize& size, bool darkInk);
 
     document::Document& m_document;
     std::shared_ptr<const pattern::Project> m_project;
-    ChartGeometry m_geometry;
     ChartTool m_tool = ChartTool::Select;
     pattern::Brush m_brush{pattern::Stitch::Purl, std::nullopt};
     const pattern::Module* m_module = nullptr;
@@ -122,9 +106,6 @@ private:
     pattern::CellPlace m_cellAtPress;
     pattern::CellPlace m_cursor;
     pattern::CellPlace m_anchor; ///< of a selection by keys
-    QPoint m_pressed;
-    QPoint m_scrollAtPress;
-    bool m_fitted = true;
     QHash<quint64, QPixmap> m_symbols;
 };
 

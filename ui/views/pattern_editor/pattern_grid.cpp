@@ -7,12 +7,9 @@
 #include <QApplication>
 #include <QHelpEvent>
 #include <QKeyEvent>
-#include <QScrollBar>
 #include <QToolTip>
-#include <QWheelEvent>
 
 #include <algorithm>
-#include <cmath>
 
 namespace knittsim::ui {
 
@@ -20,25 +17,12 @@ using document::GridCell;
 using document::GridPlace;
 using machine::LoopIndex;
 
-namespace {
-
-/// Cell widths when a chart is fitted: symbols stay readable, few cells do not grow into posters.
-constexpr int kLeastFitted = 9;
-constexpr int kLargestFitted = 26;
-
-} // namespace
-
 PatternGrid::PatternGrid(document::Document& document, QWidget* parent)
-    : QAbstractScrollArea(parent), m_document(document) {
+    : ChartArea({.leastFitted = 9, .largestFitted = 26, .leastWithLines = 7}, parent), m_document(document) {
     setObjectName(QStringLiteral("patternGrid"));
     setAccessibleName(tr("Pattern grid"));
     setWhatsThis(tr(
         "Needles across, courses up, one cell a stitch. Click selects a stitch; Ctrl and the wheel zoom."));
-    setFocusPolicy(Qt::StrongFocus);
-    setFrameShape(QFrame::NoFrame);
-    viewport()->setMouseTracking(true);
-    horizontalScrollBar()->setSingleStep(24);
-    verticalScrollBar()->setSingleStep(24);
     connect(&m_document, &document::Document::fileChanged, this, &PatternGrid::takeFile);
     connect(&m_document, &document::Document::stepChanged, this, &PatternGrid::takeStep);
     connect(&m_document, &document::Document::selectionChanged, this, &PatternGrid::takeSelection);
@@ -54,14 +38,16 @@ const document::StitchGrid* PatternGrid::grid() const {
 
 void PatternGrid::takeFile() {
     const document::StitchGrid* chart = grid();
-    m_chart.columns = chart ? chart->columnCount() : 0;
-    m_chart.courses = chart ? chart->courseCount() : 0;
-    m_chart.tall = chart && chart->usesBothBeds();
+    if (chart) {
+        setChart(chart->columnCount(), chart->courseCount(), chart->usesBothBeds(), chart->firstColumn());
+    } else {
+        setChart(0, 0, false, 0);
+    }
     m_hover = -1;
     takeYarns();
     takeStep();
     fitChart();
-    verticalScrollBar()->setValue(verticalScrollBar()->maximum());
+    scrollToFirstCourse();
 }
 
 void PatternGrid::takeStep() {
@@ -107,65 +93,16 @@ QColor PatternGrid::colourOf(LoopIndex loop) const {
     return carrier < m_colours.size() ? m_colours[carrier] : QColor(Qt::gray);
 }
 
-void PatternGrid::layoutChart() {
-    const QFontMetrics metrics(font());
-    const int digits = std::max(3, static_cast<int>(QString::number(m_chart.courses).size()));
-    m_chart.view = viewport()->size();
-    m_chart.header = {metrics.horizontalAdvance(QString(digits, u'8')) + 12, metrics.height() + 6};
-    const QSize area = m_chart.chartArea().size();
-    const QSize content = m_chart.content();
-    horizontalScrollBar()->setRange(0, std::max(0, content.width() - area.width()));
-    horizontalScrollBar()->setPageStep(std::max(1, area.width()));
-    verticalScrollBar()->setRange(0, std::max(0, content.height() - area.height()));
-    verticalScrollBar()->setPageStep(std::max(1, area.height()));
-    m_chart.scroll = {horizontalScrollBar()->value(), verticalScrollBar()->value()};
-    viewport()->update();
-}
-
-void PatternGrid::fitChart() {
-    layoutChart();
-    m_chart.cellWidth = m_chart.fittingCell(kLeastFitted, kLargestFitted);
-    layoutChart();
-    m_fitted = true;
-}
-
-void PatternGrid::setCellWidth(int width, QPoint fixed) {
-    const QPoint before = fixed - m_chart.origin();
-    const double factor = static_cast<double>(width) / m_chart.cellWidth;
-    const double factorY = static_cast<double>(m_chart.cellHeightOf(width)) / m_chart.cellHeight();
-    m_chart.cellWidth = width;
-    layoutChart();
-    const QPoint corner = m_chart.chartArea().topLeft();
-    horizontalScrollBar()->setValue(static_cast<int>(std::lround(before.x() * factor)) -
-                                    (fixed - corner).x());
-    verticalScrollBar()->setValue(static_cast<int>(std::lround(before.y() * factorY)) - (fixed - corner).y());
-    layoutChart();
-}
-
-void PatternGrid::zoomAt(QPoint position, int direction) {
-    m_fitted = false;
-    setCellWidth(nextCellWidth(m_chart.cellWidth, direction), position);
-}
-
 QPoint PatternGrid::showLoop(LoopIndex loop) {
     const GridPlace place = grid()->placeOf(loop);
-    const QRect area = m_chart.chartArea();
-    const QRect cell = m_chart.cellRect(place.course, place.column - grid()->firstColumn());
-    const int margin = 2 * m_chart.cellWidth;
-    const auto excess = [margin](int low, int high, int from, int to) {
-        const int rim = std::min(margin, std::max(0, (to - from - (high - low)) / 2));
-        return low - rim < from ? low - rim - from : high + rim > to ? high + rim - to : 0;
-    };
-    QScrollBar* across = horizontalScrollBar();
-    QScrollBar* up = verticalScrollBar();
-    across->setValue(across->value() + excess(cell.left(), cell.right(), area.left(), area.right()));
-    up->setValue(up->value() + excess(cell.top(), cell.bottom(), area.top(), area.bottom()));
+    scrollTo(geometryOfChart().cellRect(place.course, place.column - grid()->firstColumn()),
+             2 * geometryOfChart().cellWidth);
     return rectOf(loop).center();
 }
 
 QRect PatternGrid::rectOf(LoopIndex loop) const {
     const GridPlace place = grid()->placeOf(loop);
-    QRect rect = m_chart.cellRect(place.course, place.column - grid()->firstColumn());
+    QRect rect = geometryOfChart().cellRect(place.course, place.column - grid()->firstColumn());
     const GridCell* cell = grid()->cellAt(place.course, place.column);
     if (cell && cell->front >= 0 && cell->rear >= 0) {
         rect.setHeight(rect.height() / 2);
@@ -177,7 +114,7 @@ QRect PatternGrid::rectOf(LoopIndex loop) const {
 }
 
 LoopIndex PatternGrid::loopAt(QPoint position) const {
-    const ChartGeometry::Cell at = m_chart.cellAt(position);
+    const ChartGeometry::Cell at = geometryOfChart().cellAt(position);
     const GridCell* cell =
         at.course >= 0 ? grid()->cellAt(at.course, at.column + grid()->firstColumn()) : nullptr;
     if (!cell) {
@@ -204,7 +141,7 @@ QString PatternGrid::textAt(QPoint position) const {
                                          QString::fromStdString(mark->second.id) + QStringLiteral(": ") +
                                          document::causeText(mark->second);
     }
-    const ChartGeometry::Cell at = m_chart.cellAt(position);
+    const ChartGeometry::Cell at = geometryOfChart().cellAt(position);
     const std::int32_t column = at.column + grid()->firstColumn();
     const document::GridFloat* strand = at.course >= 0 ? grid()->floatAt(at.course, column) : nullptr;
     return strand ? tr("Needle %1, course %2: miss, carrier %3 floats past")
@@ -222,36 +159,19 @@ void PatternGrid::setHover(LoopIndex loop) {
     }
 }
 
-void PatternGrid::resizeEvent(QResizeEvent*) {
-    if (m_fitted) {
-        const int fromBottom = verticalScrollBar()->maximum() - verticalScrollBar()->value();
-        fitChart();
-        verticalScrollBar()->setValue(verticalScrollBar()->maximum() - fromBottom);
-        return;
-    }
-
-    layoutChart();
-}
-
-void PatternGrid::scrollContentsBy(int, int) {
-    m_chart.scroll = {horizontalScrollBar()->value(), verticalScrollBar()->value()};
-    viewport()->update();
-}
-
 void PatternGrid::mousePressEvent(QMouseEvent* event) {
     m_pressed = event->position().toPoint();
-    m_scrollAtPress = m_chart.scroll;
+    beginScrolling(m_pressed);
     m_dragging = false;
 }
 
 void PatternGrid::mouseMoveEvent(QMouseEvent* event) {
     const QPoint position = event->position().toPoint();
     if (event->buttons() & (Qt::LeftButton | Qt::MiddleButton)) {
-        const QPoint way = position - m_pressed;
-        m_dragging = m_dragging || way.manhattanLength() >= QApplication::startDragDistance();
+        m_dragging =
+            m_dragging || (position - m_pressed).manhattanLength() >= QApplication::startDragDistance();
         if (m_dragging) {
-            horizontalScrollBar()->setValue(m_scrollAtPress.x() - way.x());
-            verticalScrollBar()->setValue(m_scrollAtPress.y() - way.y());
+            scrollFrom(position);
         }
         return;
     }
@@ -263,17 +183,6 @@ void PatternGrid::mouseReleaseEvent(QMouseEvent* event) {
         m_document.selectLoop(loopAt(event->position().toPoint()));
     }
     m_dragging = false;
-}
-
-void PatternGrid::wheelEvent(QWheelEvent* event) {
-    if (event->modifiers() & Qt::ControlModifier) {
-        if (event->angleDelta().y() != 0) {
-            zoomAt(event->position().toPoint(), event->angleDelta().y() > 0 ? +1 : -1);
-        }
-        event->accept();
-        return;
-    }
-    QAbstractScrollArea::wheelEvent(event);
 }
 
 bool PatternGrid::moveSelection(int key) {
@@ -312,26 +221,13 @@ bool PatternGrid::moveSelection(int key) {
 }
 
 void PatternGrid::keyPressEvent(QKeyEvent* event) {
-    switch (event->key()) {
-    case Qt::Key_Left:
-    case Qt::Key_Right:
-    case Qt::Key_Up:
-    case Qt::Key_Down:
-        if (event->modifiers() == Qt::NoModifier && moveSelection(event->key())) {
-            return;
-        }
-        break;
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-        zoomIn();
+    const bool arrow = event->key() >= Qt::Key_Left && event->key() <= Qt::Key_Down;
+    if (arrow && event->modifiers() == Qt::NoModifier && moveSelection(event->key())) {
         return;
-    case Qt::Key_Minus:
-        zoomOut();
-        return;
-    default:
-        break;
     }
-    QAbstractScrollArea::keyPressEvent(event);
+    if (!zoomedByKey(event->key())) {
+        ChartArea::keyPressEvent(event);
+    }
 }
 
 bool PatternGrid::event(QEvent* event) {
@@ -344,7 +240,7 @@ bool PatternGrid::event(QEvent* event) {
             return true;
         }
     }
-    return QAbstractScrollArea::event(event);
+    return ChartArea::event(event);
 }
 
 bool PatternGrid::viewportEvent(QEvent* event) {
@@ -356,14 +252,7 @@ bool PatternGrid::viewportEvent(QEvent* event) {
     if (event->type() == QEvent::Leave) {
         setHover(-1);
     }
-    return QAbstractScrollArea::viewportEvent(event);
-}
-
-void PatternGrid::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::FontChange) {
-        layoutChart();
-    }
-    QAbstractScrollArea::changeEvent(event);
+    return ChartArea::viewportEvent(event);
 }
 
 } // namespace knittsim::ui
