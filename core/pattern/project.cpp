@@ -3,13 +3,13 @@
 #include "core/base/file.h"
 #include "core/base/json_reader.h"
 #include "core/formats/formats.h"
-#include "core/yarn/colour_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <fstream>
 
 namespace knittsim::pattern {
 
@@ -19,6 +19,8 @@ using nlohmann::json;
 
 constexpr std::size_t kMaxProjectBytes = std::size_t{256} << 20;
 constexpr std::size_t kMaxYarns = 36;
+constexpr std::string_view kThumbnailKey = "\"thumbnail\": \"";
+constexpr std::size_t kMaxThumbnail = 96 * 1024; ///< it stands at the start of the file
 
 struct Letter {
     Stitch stitch;
@@ -97,6 +99,8 @@ public:
         const bool both = m_reader.choice("beds", {"single", "double"}) == "double";
         const int wales = m_reader.integer("wales", 1, kMaxWales);
         readYarns();
+        m_project.colourways = readColourways(m_reader, m_name, m_problems);
+        m_reader.optionalText("thumbnail"); // for readThumbnail()
         const std::vector<json> courses = m_reader.array("courses", 1, kMaxCourses);
         if (!m_problems.empty()) {
             return Result<Project>::failure(std::move(m_problems));
@@ -131,10 +135,7 @@ private:
         const std::vector<json> yarns = m_reader.array("yarns", 1, kMaxYarns);
         for (std::size_t i = 0; i < yarns.size(); ++i) {
             JsonReader reader(yarns[i], m_name, m_problems, fmt::format("yarns[{}]", i));
-            ChartYarn yarn{reader.text("carrier"), {}, reader.optionalText("library_id")};
-            yarn.colour = yarn::readColour(reader);
-            reader.rejectUnknownKeys();
-            m_project.chart.yarns.push_back(std::move(yarn));
+            m_project.chart.yarns.push_back(readChartYarn(reader));
         }
     }
 
@@ -206,9 +207,12 @@ private:
 
 } // namespace
 
-std::string writeProject(const Project& project) {
+std::string writeProject(const Project& project, std::string_view thumbnail) {
     const Chart& chart = project.chart;
     std::string text = fmt::format("{{\n\"knitt\": {},\n", kProjectVersion);
+    if (!thumbnail.empty()) {
+        text += fmt::format("{}{}\",\n", kThumbnailKey, thumbnail);
+    }
     if (!project.machine.empty()) {
         text += fmt::format("\"machine\": {},\n", json(project.machine).dump());
     }
@@ -218,12 +222,9 @@ std::string writeProject(const Project& project) {
                         chart.beds == BedUse::Double ? "double" : "single", chart.width);
     text += "\"yarns\": [";
     for (std::size_t i = 0; i < chart.yarns.size(); ++i) {
-        const ChartYarn& yarn = chart.yarns[i];
-        text += fmt::format("{}\n{{\"carrier\": {}, \"colour\": \"{}\", \"library_id\": {}}}",
-                            i > 0 ? "," : "", json(yarn.carrier).dump(), yarn::colourText(yarn.colour),
-                            json(yarn.libraryId).dump());
+        text += fmt::format("{}\n{}", i > 0 ? "," : "", yarnText(chart.yarns[i]));
     }
-    text += "\n],\n\"courses\": [";
+    text += "\n],\n" + colourwaysText(project.colourways, chart) + "\"courses\": [";
     for (int c = 0; c < chart.height(); ++c) {
         text += (c > 0 ? ",\n" : "\n") + courseText(chart, c);
     }
@@ -236,6 +237,17 @@ Result<Project> readProject(std::string_view text, const std::string& file) {
         return Result<Project>::failure(parsed.diagnostics());
     }
     return Reader(parsed.value(), file).read();
+}
+
+std::string readThumbnail(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string start(kMaxThumbnail, '\0');
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    start.resize(static_cast<std::size_t>(file.gcount()));
+    const std::size_t key = start.find(kThumbnailKey);
+    const std::size_t first = key + kThumbnailKey.size();
+    const std::size_t end = key == std::string::npos ? key : start.find('"', first);
+    return end == std::string::npos ? std::string() : start.substr(first, end - first);
 }
 
 Result<Project> readProjectFile(const std::filesystem::path& path) {

@@ -2,6 +2,7 @@
 
 #include "core/base/result.h"
 #include "core/machine/profile_library.h"
+#include "core/pattern/colourway.h"
 #include "core/pattern/compile.h"
 
 #include <filesystem>
@@ -16,19 +17,23 @@ struct Project {
     CastOn castOn = CastOn::Alternating;
     Ending ending = Ending::Held;
     std::string machine; ///< id of a machine profile; empty: generic
+    Colourways colourways = {};
 
     bool operator==(const Project&) const = default;
 };
 
 /// A project file (.knitt) is JSON with a line for each course, so that a version control shows what changed:
 ///
-///     knitt      1, the version of the format
+///     knitt      2, the version of the format
+///     thumbnail  a small PNG in base64 for lists of files, may be missing (since version 2)
 ///     machine    id of a machine profile, may be missing
 ///     cast_on    "open" or "alternating"
 ///     ending     "held" or "dropped"
 ///     beds       "single" or "double"
 ///     wales      number of wales
 ///     yarns      list of {carrier, colour "#rrggbb", library_id}
+///     colourway  which of the colourways the yarns are, from 0; missing with these (since version 2)
+///     colourways list of {name, yarns as above}, may be missing (since version 2)
 ///     courses    from the first one knitted to the last; each
 ///         stitches   a letter for each wale from the left: k knit, p purl, b both, t tuck, m miss, r rest,
 ///                    . empty
@@ -37,10 +42,16 @@ struct Project {
 ///         colours    "float" or "intarsia"; missing: float
 ///         rack       pitches; missing: 0
 ///         stitch     stitch number from here on; may be missing
-constexpr int kProjectVersion = 1;
+///
+/// Files of version 1 have neither thumbnail nor colourways.
+constexpr int kProjectVersion = 2;
 constexpr std::string_view kProjectExtension = ".knitt";
 
-std::string writeProject(const Project& project);
+/// `thumbnail`: base64; empty: none.
+std::string writeProject(const Project& project, std::string_view thumbnail = {});
+
+/// The thumbnail of a project file, in base64, without reading the chart; empty where there is none.
+std::string readThumbnail(const std::filesystem::path& path);
 
 /// Errors: KS0003 to KS0005 with the place in the JSON, KS0509 for a version that is newer than this program,
 /// KS0501 and KS0503. A chart with stitches or yarns that cannot be knitted is read all the same.

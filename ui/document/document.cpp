@@ -1,6 +1,7 @@
 #include "ui/document/document.h"
 
 #include "core/base/resources.h"
+#include "ui/document/session.h"
 #include "ui/document/yarn_command.h"
 
 #include <QFileInfo>
@@ -15,9 +16,20 @@ namespace {
 namespace command = simulation::command;
 
 std::shared_ptr<const yarn::YarnLibrary> readLibrary() {
-    auto library = yarn::YarnLibrary::read(resourceFolder() / "yarns");
-    return library ? std::make_shared<yarn::YarnLibrary>(std::move(library).value())
-                   : std::make_shared<yarn::YarnLibrary>(std::vector{yarn::defaultYarn()});
+    std::vector<yarn::Yarn> yarns;
+    for (const std::filesystem::path& folder :
+         {std::filesystem::path(Document::ownYarnFolder().toStdString()), resourceFolder() / "yarns"}) {
+        const auto library = yarn::YarnLibrary::read(folder);
+        for (const yarn::Yarn& yarn : library ? library.value().yarns() : std::vector<yarn::Yarn>()) {
+            if (std::ranges::find(yarns, yarn.id, &yarn::Yarn::id) == yarns.end()) {
+                yarns.push_back(yarn);
+            }
+        }
+    }
+    if (yarns.empty()) {
+        yarns.push_back(yarn::defaultYarn());
+    }
+    return std::make_shared<yarn::YarnLibrary>(std::move(yarns));
 }
 
 /// The neighbour of `value` among rising stops; the ends of the program count as stops.
@@ -66,6 +78,17 @@ Document::Document(QObject* parent)
 
 Document::~Document() {
     m_undo.blockSignals(true); // it tells that it is clean when it goes
+}
+
+QString Document::ownYarnFolder() {
+    return QFileInfo(Session::filePath()).absolutePath() + QStringLiteral("/yarns");
+}
+
+void Document::reloadLibrary() {
+    m_library = readLibrary();
+    m_opener.setLibrary(m_library);
+    m_rebuilder.setLibrary(m_library);
+    emit libraryChanged();
 }
 
 void Document::open(const QString& path) {

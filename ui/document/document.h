@@ -43,7 +43,12 @@ public:
     explicit Document(QObject* parent = nullptr);
     ~Document() override;
 
+    /// The yarns that come with the program and the person's own, which go before those of the same id.
     const yarn::YarnLibrary& library() const { return *m_library; }
+    std::shared_ptr<const yarn::YarnLibrary> sharedLibrary() const { return m_library; }
+    /// Reads it again: own yarns have changed. Yarns on carriers stay as they are.
+    void reloadLibrary();
+    static QString ownYarnFolder(); ///< beside the settings; may not exist yet
 
     /// Opens in the background. While it works, and when it fails, the present file stays as it is. The
     /// simulation waits for start().
@@ -85,6 +90,10 @@ public:
     /// Changes the chart, undoable in one step; program and fabric follow in the background, and the newest
     /// chart wins. Where it cannot be knitted problems() says why and the fabric stays as it was.
     void editChart(const QString& text, const std::function<void(pattern::Chart&)>& edit);
+    /// Changes the colourways, and with them the yarns of the chart; undoable in one step. Nothing is
+    /// knitted anew.
+    void editColourways(const QString& text,
+                        const std::function<void(pattern::Colourways&, pattern::Chart&)>& edit);
     /// Program and fabric are those of the chart, which can be knitted.
     bool fabricFollowsChart() const;
     bool isRebuilding() const { return m_rebuilder.busy(); }
@@ -98,8 +107,8 @@ public:
     QString title() const { return m_title; } ///< of the open file
     QString path() const { return m_path; }   ///< empty for what is not in a file
     void keepCopy() { m_recovery.write(); }   ///< of unsaved changes, at once
-    /// Writes the project; the undo stack is clean then. Errors: KS0002.
-    Diagnostics save(const QString& path);
+    /// Writes the project; the undo stack is clean then. `thumbnail`: base64. Errors: KS0002.
+    Diagnostics save(const QString& path, const QByteArray& thumbnail = {});
 
     /// Operations carried out in what is shown; 0 .. operationCount().
     OperationIndex step() const { return m_step; }
@@ -203,6 +212,7 @@ signals:
     void selectionChanged();
     void pointChanged(); ///< selectedPoint() or its history
     void yarnsChanged();
+    void libraryChanged();
     void activityChanged();
     void integratorChanged();
     void generationChanged(); ///< load or restart: histories begin anew
@@ -215,6 +225,7 @@ private:
     friend class YarnCommand;
     friend class LadderCommand;
     friend class ChartCommand;
+    friend class ColourwayCommand;
 
     void begin(OpenRequest request);
     void take(const std::shared_ptr<const OpenedFile>& file);
@@ -236,6 +247,8 @@ private:
 
     // document_chart.cpp
     void putYarn(const std::string& carrier, const yarn::Yarn& yarn);
+    void replaceYarns(std::shared_ptr<const pattern::Project> changed);
+    void applyColourways(const pattern::Colourways& colourways, const std::vector<pattern::ChartYarn>& yarns);
     void applyPatch(const pattern::ChartPatch& patch, bool forwards);
     void rebuild();
     void takeRebuilt(const std::shared_ptr<const OpenedFile>& file);

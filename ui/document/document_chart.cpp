@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 #include "ui/document/chart_command.h"
+#include "ui/document/colourway_command.h"
 #include "ui/document/document.h"
 
 #include <QFileInfo>
@@ -45,9 +46,50 @@ void Document::putYarn(const std::string& carrier, const yarn::Yarn& yarn) {
     pattern::ChartYarn& own = *std::ranges::find_if(changed->chart.yarns, isOwn);
     own.libraryId = yarn.id;
     own.colour = yarn.colour;
+    replaceYarns(std::move(changed));
+}
+
+/// The program of a chart with other yarns is the same, but one that is being made has the old ones.
+void Document::replaceYarns(std::shared_ptr<const pattern::Project> changed) {
     m_knitted = m_knitted == m_project ? changed : m_knitted;
     m_project = std::move(changed);
     emit chartChanged();
+    if (m_rebuilder.busy()) {
+        rebuild();
+    }
+}
+
+void Document::editColourways(const QString& text,
+                              const std::function<void(pattern::Colourways&, pattern::Chart&)>& edit) {
+    if (!m_project || isOpening()) {
+        return;
+    }
+    pattern::Colourways after = m_project->colourways;
+    pattern::Chart chart;
+    chart.yarns = m_project->chart.yarns;
+    edit(after, chart);
+    if (after != m_project->colourways || chart.yarns != m_project->chart.yarns) {
+        m_undo.push(new ColourwayCommand(*this, text, std::move(after), std::move(chart.yarns)));
+    }
+}
+
+void Document::applyColourways(const pattern::Colourways& colourways,
+                               const std::vector<pattern::ChartYarn>& yarns) {
+    auto changed = std::make_shared<pattern::Project>(*m_project);
+    changed->colourways = colourways;
+    changed->chart.yarns = yarns;
+    replaceYarns(std::move(changed));
+    for (const pattern::ChartYarn& own : yarns) {
+        const auto carrier = std::ranges::find(m_carriers, own.carrier, &CarrierYarn::carrier);
+        if (carrier != m_carriers.end()) {
+            const yarn::Yarn* known = m_library->find(own.libraryId);
+            yarn::Yarn wanted = known && carrier->yarn.id != known->id ? *known : carrier->yarn;
+            wanted.colour = own.colour;
+            if (wanted != carrier->yarn) {
+                applyYarn(static_cast<int>(carrier - m_carriers.begin()), wanted);
+            }
+        }
+    }
 }
 
 void Document::rebuild() {
@@ -138,12 +180,12 @@ int Document::knittedCourses() const {
     return static_cast<int>(end - m_file->chartCourseEnds.begin());
 }
 
-Diagnostics Document::save(const QString& path) {
+Diagnostics Document::save(const QString& path, const QByteArray& thumbnail) {
     if (!m_project) {
         return {};
     }
-    const auto written =
-        writeFileAtomically(std::filesystem::path(path.toStdString()), pattern::writeProject(*m_project));
+    const auto written = writeFileAtomically(std::filesystem::path(path.toStdString()),
+                                             pattern::writeProject(*m_project, thumbnail.toStdString()));
     if (written) {
         m_path = path;
         m_title = QFileInfo(path).fileName();

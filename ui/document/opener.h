@@ -66,6 +66,8 @@ public:
     explicit Opener(std::shared_ptr<const yarn::YarnLibrary> library, QObject* parent = nullptr);
     ~Opener() override;
 
+    /// For files that are opened from now on.
+    void setLibrary(std::shared_ptr<const yarn::YarnLibrary> library) { m_library = std::move(library); }
     void open(const OpenRequest& request, bool keepChart = true);
     void cancel();
     bool busy() const { return m_busy; }

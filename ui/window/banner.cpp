@@ -13,7 +13,7 @@ namespace knittsim::ui {
 
 Banner::Banner(QWidget* parent)
     : QFrame(parent), m_icon(new QLabel(this)), m_text(new QLabel(this)), m_action(new QPushButton(this)),
-      m_close(new QToolButton(this)) {
+      m_other(new QPushButton(this)), m_close(new QToolButton(this)) {
     setObjectName(QStringLiteral("banner"));
     m_text->setObjectName(QStringLiteral("bannerText"));
     m_text->setWordWrap(true);
@@ -27,10 +27,14 @@ Banner::Banner(QWidget* parent)
     row->setSpacing(10);
     row->addWidget(m_icon);
     row->addWidget(m_text, 1);
+    m_action->setObjectName(QStringLiteral("bannerAction"));
+    m_other->setObjectName(QStringLiteral("bannerOther"));
     row->addWidget(m_action);
+    row->addWidget(m_other);
     row->addWidget(m_close);
     connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
-    connect(m_action, &QPushButton::clicked, this, &Banner::actionWanted);
+    connect(m_action, &QPushButton::clicked, this, [this] { m_run ? answer(m_run) : emit actionWanted(); });
+    connect(m_other, &QPushButton::clicked, this, [this] { answer(m_runOther); });
     hide();
 }
 
@@ -43,7 +47,25 @@ void Banner::showMessage(Kind kind, const QString& text, const QString& action) 
     m_text->setText(text);
     m_action->setText(action);
     m_action->setVisible(!action.isEmpty());
+    m_other->hide();
+    m_run = {};
+    m_runOther = {};
     show();
+}
+
+void Banner::ask(const QString& text, const QString& action, std::function<void()> run, const QString& other,
+                 std::function<void()> runOther) {
+    showMessage(Kind::Note, text, action);
+    m_run = std::move(run);
+    m_other->setText(other);
+    m_other->setVisible(!other.isEmpty());
+    m_runOther = std::move(runOther);
+}
+
+void Banner::answer(const std::function<void()>& run) {
+    const std::function<void()> kept = run; // it may ask the next question
+    hide();
+    kept();
 }
 
 QString Banner::text() const {

@@ -2,6 +2,8 @@
 
 #include <QFrame>
 
+#include <functional>
+
 class QLabel;
 class QPushButton;
 class QToolButton;
@@ -19,19 +21,27 @@ public:
 
     /// `action` names the button; empty hides it.
     void showMessage(Kind kind, const QString& text, const QString& action = {});
+    /// A question with up to two answers; each hides the banner first. The second may be empty.
+    void ask(const QString& text, const QString& action, std::function<void()> run, const QString& other = {},
+             std::function<void()> runOther = {});
     QString text() const;
 
 signals:
-    void actionWanted();
+    void actionWanted(); ///< of showMessage()
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void answer(const std::function<void()>& run);
+
     Kind m_kind = Kind::Note;
+    std::function<void()> m_run;
+    std::function<void()> m_runOther;
     QLabel* m_icon;
     QLabel* m_text;
     QPushButton* m_action;
+    QPushButton* m_other;
     QToolButton* m_close;
 };
 

@@ -3,6 +3,7 @@
 #include "core/pattern/samples.h"
 #include "ui/views/style/icons.h"
 #include "ui/window/sample_card.h"
+#include "ui/window/sample_thumbnail.h"
 
 #include <QFileInfo>
 #include <QGridLayout>
@@ -22,6 +23,7 @@ constexpr int kSpacing = 14;
 constexpr int kMargin = 28;
 constexpr int kMostColumns = 6;
 constexpr int kMostRecent = 5;
+constexpr QSize kRecentPicture(60, 36);
 
 QLabel* makeText(QWidget* parent, const QString& text, double scale, bool bold) {
     auto* label = new QLabel(text, parent);
@@ -56,15 +58,20 @@ void Gallery::build() {
     words->setSpacing(1);
     words->addWidget(makeText(page, tr("KnittSim"), 1.55, true));
     words->addWidget(
-        makeText(page, tr("Open a machine program, drop one here, or begin with a sample."), 1.0, false));
+        makeText(page, tr("Draw a new chart, open a chart or a machine program, or begin with a sample."), 1.0, false));
+    auto* fresh = new QPushButton(icon(QStringLiteral("new")), tr("New chart\u2026"), page);
+    fresh->setObjectName(QStringLiteral("galleryNew"));
+    fresh->setToolTip(tr("Draw a chart of your own (Ctrl+N)"));
+    fresh->setMinimumHeight(34);
     auto* open = new QPushButton(icon(QStringLiteral("open")), tr("Open\u2026"), page);
     open->setObjectName(QStringLiteral("galleryOpen"));
-    open->setToolTip(tr("Open a machine program (Ctrl+O)"));
+    open->setToolTip(tr("Open a chart or a machine program (Ctrl+O)"));
     open->setDefault(true);
     open->setMinimumHeight(34);
     head->addWidget(picture);
     head->addSpacing(8);
     head->addLayout(words, 1);
+    head->addWidget(fresh);
     head->addWidget(open);
     rows->addLayout(head);
 
@@ -88,6 +95,7 @@ void Gallery::build() {
         m_cards.push_back(card);
     }
     connect(open, &QPushButton::clicked, this, &Gallery::openWanted);
+    connect(fresh, &QPushButton::clicked, this, &Gallery::newWanted);
     setRecentFiles({});
 }
 
@@ -106,6 +114,10 @@ void Gallery::setRecentFiles(const QStringList& files) {
     for (const QString& path : files.mid(0, kMostRecent)) {
         auto* row = new QPushButton(QFileInfo(path).fileName(), m_recentBox);
         row->setFlat(true);
+        if (const QPixmap picture = thumbnailOf(path); !picture.isNull()) {
+            row->setIcon(picture);
+            row->setIconSize(kRecentPicture);
+        }
         row->setToolTip(path);
         row->setCursor(Qt::PointingHandCursor);
         QPalette link = row->palette();

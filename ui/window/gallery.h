@@ -24,6 +24,7 @@ signals:
     void sampleChosen(const QString& id);
     void fileChosen(const QString& path);
     void openWanted();
+    void newWanted(); ///< a new chart
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

@@ -81,9 +81,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
 MainWindow::~MainWindow() {
     // The views look at the document, which is a member and goes before the window's children would.
     hide();
-    for (QWidget* view :
-         std::initializer_list<QWidget*>{m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock,
-                                         m_problemDock, m_bedDock, m_toolBar, m_status, centralWidget()}) {
+    for (QWidget* view : std::initializer_list<QWidget*>{
+             m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock, m_problemDock, m_bedDock, m_legendDock,
+             m_stepsDock, m_toolBar, m_status, centralWidget()}) {
         delete view;
     }
 }
@@ -120,13 +120,19 @@ void MainWindow::buildCentre() {
     connect(m_gallery, &Gallery::sampleChosen, this, &MainWindow::openSample);
     connect(m_gallery, &Gallery::fileChosen, this, &MainWindow::openFile);
     connect(m_gallery, &Gallery::openWanted, this, &MainWindow::chooseFile);
+    connect(m_gallery, &Gallery::newWanted, this, &MainWindow::newChart);
 }
 
 void MainWindow::connectDocument() {
     using document::Document;
     connect(&m_document, &Document::opened, this, &MainWindow::takeFile);
     connect(&m_document, &Document::chartChanged, this, &MainWindow::takeChart);
-    connect(&m_document, &Document::saved, this, &MainWindow::takeTitle);
+    connect(&m_document, &Document::saved, this, [this] {
+        takeTitle();
+        m_watch.watch(m_document.path());
+        m_changedOutside = false;
+    });
+    connect(&m_watch, &document::FileWatch::changed, this, &MainWindow::takeForeignChange);
     connect(m_document.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::takeTitle);
     connect(&m_document, &Document::openFailed, this, &MainWindow::takeFailure);
     connect(&m_document, &Document::problemsChanged, this, &MainWindow::takeProblems);
@@ -156,10 +162,6 @@ void MainWindow::connectDocument() {
     connect(m_problems, &DiagnosticsPanel::reportWanted, this, &MainWindow::chooseReportFile);
     connect(m_problems, &DiagnosticsPanel::placeWanted, this, &MainWindow::showPlace);
     connect(m_banner, &Banner::actionWanted, this, [this] {
-        if (m_leftover) {
-            restoreLeftover();
-            return;
-        }
         m_problemDock->show();
         m_problemDock->raise();
         m_problems->walk(+1);
@@ -228,7 +230,8 @@ void MainWindow::openSample(const QString& id) {
 void MainWindow::takeFile() {
     const document::OpenRequest& request = m_document.file()->request;
     takeTitle();
-    m_leftover.reset();
+    m_watch.watch(m_document.path());
+    m_changedOutside = false;
     if (!request.path.isEmpty()) {
         m_session.addRecentFile(request.path);
         takeRecentFiles();
@@ -253,7 +256,6 @@ void MainWindow::startSoon() {
 }
 
 void MainWindow::takeFailure() {
-    m_leftover.reset(); // the banner speaks of something else now
     const auto failed = m_document.failedFile();
     const Diagnostics& problems = failed->diagnostics;
     QString text = tr("%1 could not be opened.").arg(failed->request.title);
@@ -329,8 +331,8 @@ void MainWindow::showGallery() {
         m_arrangement = saveState();
     }
     m_pages->setCurrentWidget(m_gallery);
-    for (QDockWidget* dock :
-         {m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock, m_problemDock, m_bedDock}) {
+    for (QDockWidget* dock : {m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock, m_problemDock,
+                              m_bedDock, m_legendDock, m_stepsDock}) {
         dock->hide();
     }
     m_toolBar->hide();

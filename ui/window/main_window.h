@@ -1,12 +1,13 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/document/file_watch.h"
 #include "ui/document/session.h"
+#include "ui/views/pattern_editor/chart_look.h"
 
 #include <QMainWindow>
 
 #include <functional>
-#include <optional>
 
 class QActionGroup;
 class QMenu;
@@ -23,6 +24,7 @@ class Gallery;
 class HistoryCard;
 class MachineChoice;
 class NeedleBeds;
+class ChartArea;
 class PatternGrid;
 class SimulationPanel;
 class SourceView;
@@ -79,6 +81,8 @@ private:
 
     // main_window_chart.cpp
     void buildChartMenu();
+    ChartArea* shownChart() const;
+    void buildLookMenus(QMenu* menu);
     void takeChart();
     void takeTitle();
     void newChart();
@@ -87,8 +91,12 @@ private:
     bool saveChartTo(const QString& path);
     void exportMachineData();
     QString askWhere(const QString& title, const QString& start, const QStringList& kinds);
+    void exportChart();
+    void takeForeignChange();
+    void reload();
     void offerRecovery();
-    void restoreLeftover();
+    void restore(const document::Recovery::Leftover& leftover,
+                 const std::shared_ptr<const pattern::Project>& project);
     /// Asks what to do with unsaved changes first; the action happens unless the person stays.
     void whenLeft(const std::function<void()>& action);
 
@@ -133,6 +141,9 @@ private:
 
     document::Document m_document;
     document::Session m_session;
+    document::FileWatch m_watch;
+    bool m_changedOutside = false; ///< since the file was opened or saved
+    ChartLook m_look;
     QWidget* m_workspace = nullptr;
     QStackedWidget* m_pages = nullptr;
     Gallery* m_gallery = nullptr;
@@ -155,14 +166,15 @@ private:
     QDockWidget* m_simulationDock = nullptr;
     QDockWidget* m_problemDock = nullptr;
     QDockWidget* m_bedDock = nullptr;
+    QDockWidget* m_legendDock = nullptr;
+    QDockWidget* m_stepsDock = nullptr; ///< of the undo stack
     QToolBar* m_toolBar = nullptr;
     QToolButton* m_problemButton = nullptr;
     MachineChoice* m_machine = nullptr;
     QMenu* m_recentMenu = nullptr;
-    std::optional<document::Recovery::Leftover> m_leftover; ///< offered in the banner
-    std::size_t m_problemsShown = 0;                        ///< errors and warnings
-    QString m_nothingRuns;                                  ///< what the banner last said about ladders
-    QByteArray m_arrangement; ///< of the docks while a file is open; empty: m_layout as it comes
+    std::size_t m_problemsShown = 0; ///< errors and warnings
+    QString m_nothingRuns;           ///< what the banner last said about ladders
+    QByteArray m_arrangement;        ///< of the docks while a file is open; empty: m_layout as it comes
     Layout m_layout = Layout::Standard;
 };
 

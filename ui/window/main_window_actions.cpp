@@ -20,6 +20,7 @@
 #include "ui/window/machine_choice.h"
 #include "ui/window/main_window.h"
 #include "ui/window/sample_card.h"
+#include "ui/window/sample_thumbnail.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -102,6 +103,9 @@ void MainWindow::buildFileMenu() {
     addAction(menu, "actionExportMachine", tr("Export &machine data\u2026"), QKeySequence(tr("Ctrl+Shift+D")),
               {}, [this] { exportMachineData(); });
     menu->addSeparator();
+    addAction(menu, "actionExportChart", tr("Export &chart\u2026"), QKeySequence(tr("Ctrl+Shift+P")), {},
+              [this] { exportChart(); })
+        ->setToolTip(tr("The chart with legend and yarn amounts as PDF or PNG (Ctrl+Shift+P)"));
     addAction(menu, "actionExport", tr("&Export\u2026"), QKeySequence(tr("Ctrl+E")), "picture",
               [this] { exportShown(); });
     addAction(menu, "actionExportReport", tr("Export &report\u2026"), QKeySequence(tr("Ctrl+Shift+E")), {},
@@ -173,7 +177,7 @@ void MainWindow::buildViewMenu() {
     addAction(menu, "actionFarther", tr("Zoom o&ut"), QKeySequence::ZoomOut, {},
               [this] { m_fabric->zoomBy(0.8); });
     addAction(menu, "actionFitChart", tr("Fit the &pattern grid"), Qt::CTRL | Qt::SHIFT | Qt::Key_F, {},
-              [this] { m_document.project() ? m_chart->canvas()->fitChart() : m_grid->fitChart(); });
+              [this] { shownChart()->fitChart(); });
     menu->addSeparator();
     auto* styles = new QActionGroup(this);
     addChoice(menu, styles, "actionStyleYarn", tr("Lit &yarn"), Qt::ALT | Qt::Key_1, "style-yarn",
@@ -327,8 +331,8 @@ void MainWindow::buildSimulateMenu() {
 void MainWindow::buildWindowMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&Window"));
     menu->setObjectName(QStringLiteral("windowMenu"));
-    for (QDockWidget* dock :
-         {m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock, m_problemDock, m_bedDock}) {
+    for (QDockWidget* dock : {m_gridDock, m_sourceDock, m_legendDock, m_yarnDock, m_stepsDock,
+                              m_simulationDock, m_problemDock, m_bedDock}) {
         menu->addAction(dock->toggleViewAction());
     }
     menu->addSeparator();
@@ -406,6 +410,9 @@ void MainWindow::takeRecentFiles() {
             m_recentMenu->addAction(QFileInfo(path).fileName(), this, [this, path] { openFile(path); });
         action->setToolTip(path);
         action->setStatusTip(path);
+        if (const QPixmap picture = thumbnailOf(path); !picture.isNull()) {
+            action->setIcon(picture);
+        }
     }
     m_recentMenu->setEnabled(!files.isEmpty());
     if (!files.isEmpty()) {
@@ -430,7 +437,7 @@ void MainWindow::takeActions() {
                              "actionCentre", "actionNearer", "actionFarther"}) {
         findChild<QAction*>(QString::fromLatin1(name))->setEnabled(open);
     }
-    for (const char* name : {"actionSave", "actionSaveAs"}) {
+    for (const char* name : {"actionSave", "actionSaveAs", "actionExportChart"}) {
         findChild<QAction*>(QString::fromLatin1(name))->setEnabled(m_document.project() != nullptr);
     }
     findChild<QAction*>(QStringLiteral("actionExportReport"))->setEnabled(open || m_document.failedFile());

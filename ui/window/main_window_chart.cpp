@@ -5,16 +5,21 @@
 #include "ui/document/message_text.h"
 #include "ui/views/chart_editor/chart_canvas.h"
 #include "ui/views/chart_editor/chart_editor.h"
+#include "ui/views/chart_editor/chart_sheet.h"
 #include "ui/views/chart_editor/new_chart_dialog.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
 #include "ui/window/banner.h"
 #include "ui/window/main_window.h"
+#include "ui/window/sample_thumbnail.h"
 
+#include <QActionGroup>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QProgressDialog>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
@@ -58,6 +63,44 @@ void MainWindow::buildChartMenu() {
     for (QAction* action : m_chart->editActions()) {
         menu->addAction(action);
     }
+    menu->addSeparator();
+    buildLookMenus(menu);
+}
+
+ChartArea* MainWindow::shownChart() const {
+    return m_document.project() ? static_cast<ChartArea*>(m_chart->canvas()) : m_grid;
+}
+
+/// Symbols and columns of the chart and of the pattern grid.
+void MainWindow::buildLookMenus(QMenu* menu) {
+    QMenu* symbols = menu->addMenu(tr("Symb&ols"));
+    auto* group = new QActionGroup(this);
+    for (int i = 0; i < kSymbolSets; ++i) {
+        const auto set = static_cast<SymbolSet>(i);
+        QAction* action = addChoice(symbols, group, QStringLiteral("actionSymbols%1").arg(i),
+                                    ChartLook::nameOf(set), {}, {}, [this, set] { m_look.setSymbols(set); });
+        const auto take = [this, action, set] { action->setChecked(m_look.symbols() == set); };
+        connect(&m_look, &ChartLook::changed, action, take);
+        take();
+    }
+    symbols->addSeparator();
+    addAction(symbols, QStringLiteral("actionNextSymbols"), tr("&Next symbols"), Qt::Key_A, {},
+              [this] { m_look.nextSymbols(); });
+    QMenu* columns = menu->addMenu(tr("Colum&ns beside the chart"));
+    columns->setObjectName(QStringLiteral("columnMenu"));
+    for (int i = 0; i < kSideColumns; ++i) {
+        const auto column = static_cast<SideColumn>(i);
+        QAction* action = addChoice(columns, nullptr, QStringLiteral("actionColumn%1").arg(i),
+                                    ChartLook::nameOf(column), {}, {}, [] {});
+        connect(action, &QAction::triggered, this, [this, column](bool on) {
+            m_look.setShown(column, on ? ChartLook::Shown::Always : ChartLook::Shown::Never);
+        });
+        connect(columns, &QMenu::aboutToShow, action,
+                [this, action, column] { action->setChecked(shownChart()->isShown(column)); });
+    }
+    columns->addSeparator();
+    addAction(columns, QStringLiteral("actionColumnsByContent"), tr("Those that &say something"), {}, {},
+              [this] { m_look.showByContent(); });
 }
 
 /// Charts are drawn, machine data is looked at.
@@ -110,7 +153,14 @@ bool MainWindow::saveChartAs() {
 }
 
 bool MainWindow::saveChartTo(const QString& path) {
-    const Diagnostics problems = m_document.save(path);
+    if (m_changedOutside && path == m_document.path() &&
+        QMessageBox::question(
+            this, tr("Save the chart"),
+            tr("Another program has changed %1 since it was opened. Replace it with what is here?")
+                .arg(QFileInfo(path).fileName())) != QMessageBox::Yes) {
+        return false;
+    }
+    const Diagnostics problems = m_document.save(path, chartThumbnail(m_document.project()->chart));
     if (hasErrors(problems)) {
         m_banner->showMessage(Banner::Kind::Error,
                               tr("%1 could not be saved. %2")
@@ -158,43 +208,133 @@ void MainWindow::exportMachineData() {
     statusBar()->showMessage(tr("Machine data written to %1").arg(path), 5000);
 }
 
-void MainWindow::offerRecovery() {
-    const auto found = document::Recovery::leftovers();
-    const auto newest = std::ranges::find_if(found, [](const document::Recovery::Leftover& leftover) {
-        return bool(pattern::readProjectFile(std::filesystem::path(leftover.path.toStdString())));
-    });
-    if (newest == found.end()) {
-        return;
+namespace {
+
+/// Yarns of the chart, and how much of each the fabric takes where one follows it.
+std::vector<SheetYarn> sheetYarns(const document::Document& document) {
+    std::vector<SheetYarn> yarns;
+    for (const pattern::ChartYarn& own : document.project()->chart.yarns) {
+        SheetYarn& yarn = yarns.emplace_back();
+        yarn.carrier = QString::fromStdString(own.carrier);
+        yarn.colour = {own.colour.r, own.colour.g, own.colour.b};
+        const auto& carriers = document.carriers();
+        const auto carrier = std::ranges::find(carriers, own.carrier, &document::CarrierYarn::carrier);
+        if (carrier == carriers.end()) {
+            continue;
+        }
+        yarn.name = QString::fromStdString(carrier->yarn.name);
+        yarn.colour = {carrier->yarn.colour.r, carrier->yarn.colour.g, carrier->yarn.colour.b};
+        if (!document.fabricFollowsChart()) {
+            continue;
+        }
+        for (const fabric::Yarn& fed : document.file()->fabric->yarns) {
+            if (fed.carrier == carrier - carriers.begin()) {
+                yarn.metres += fed.lengthMm / 1000;
+            }
+        }
+        yarn.grams = yarn.metres * carrier->yarn.tex / 1000; // tex: g per 1000 m
     }
-    m_leftover = *newest;
-    m_banner->showMessage(
-        Banner::Kind::Note,
-        tr("Unsaved work on %1 of %2 was found.")
-            .arg(m_leftover->title, QLocale().toString(m_leftover->time, QLocale::ShortFormat)),
-        tr("Restore"));
+    return yarns;
 }
 
-void MainWindow::restoreLeftover() {
-    const document::Recovery::Leftover leftover = *m_leftover;
-    auto project = pattern::readProjectFile(std::filesystem::path(leftover.path.toStdString()));
-    m_leftover.reset();
-    if (!project) {
-        m_banner->showMessage(Banner::Kind::Error, document::causeText(project.diagnostics().front()));
+} // namespace
+
+void MainWindow::exportChart() {
+    const QString start =
+        m_session.lastFolder() + u'/' + QFileInfo(m_document.title()).baseName() + QStringLiteral(".pdf");
+    const QString path =
+        askWhere(tr("Export the chart"), start, {tr("PDF pages (*.pdf)"), tr("PNG picture (*.png)")});
+    if (path.isEmpty()) {
         return;
     }
-    const auto chart = std::make_shared<const pattern::Project>(std::move(project).value());
-    whenLeft([this, leftover, chart] {
-        m_document.openProject(leftover.title, chart, true);
+    const ChartSheet sheet{.title = m_document.title(),
+                           .chart = m_document.project()->chart,
+                           .symbols = m_look.symbols(),
+                           .yarns = sheetYarns(m_document)};
+    QProgressDialog progress(tr("Drawing the chart\u2026"), tr("Cancel"), 0, 0, this);
+    progress.setWindowModality(Qt::WindowModal);
+    progress.setMinimumDuration(400);
+    const auto tell = [&](int done, int pages) {
+        progress.setMaximum(pages);
+        progress.setValue(done);
+        return !progress.wasCanceled();
+    };
+    const bool picture = path.endsWith(QStringLiteral(".png"), Qt::CaseInsensitive);
+    const Diagnostics problems =
+        picture ? writeChartPng(sheet, path, tell) : writeChartPdf(sheet, path, tell);
+    progress.reset();
+    if (hasErrors(problems)) {
+        m_banner->showMessage(
+            Banner::Kind::Error,
+            tr("The chart was not exported. %1").arg(document::causeText(problems.front())));
+        return;
+    }
+    m_session.setLastFolder(QFileInfo(path).absolutePath());
+    statusBar()->showMessage(tr("Chart written to %1").arg(path), 5000);
+}
+
+void MainWindow::offerRecovery() {
+    for (const document::Recovery::Leftover& leftover : document::Recovery::leftovers()) {
+        auto read = pattern::readProjectFile(std::filesystem::path(leftover.path.toStdString()));
+        if (!read) {
+            continue;
+        }
+        const auto project = std::make_shared<const pattern::Project>(std::move(read).value());
+        m_banner->ask(
+            tr("Unsaved work on %1 of %2 was found.")
+                .arg(leftover.title, QLocale().toString(leftover.time, QLocale::ShortFormat)),
+            tr("Restore"), [this, leftover, project] { restore(leftover, project); }, tr("Discard"),
+            [this, leftover] {
+                document::Recovery::discard(leftover);
+                offerRecovery(); // the next one
+            });
+        return;
+    }
+}
+
+void MainWindow::restore(const document::Recovery::Leftover& leftover,
+                         const std::shared_ptr<const pattern::Project>& project) {
+    whenLeft([this, leftover, project] {
+        m_document.openProject(leftover.title, project, true);
         connect(
             &m_document, &document::Document::opened, this,
-            [this, leftover, chart] {
-                if (m_document.project() == chart) { // not something else that was faster
+            [this, leftover, project] {
+                if (m_document.project() == project) { // not something else that was faster
                     m_document.keepCopy();
                     document::Recovery::discard(leftover);
                 }
             },
             Qt::SingleShotConnection);
     });
+}
+
+void MainWindow::takeForeignChange() {
+    m_changedOutside = true;
+    const QString name = QFileInfo(m_watch.path()).fileName();
+    m_banner->ask(
+        m_document.isModified()
+            ? tr("Another program has changed %1. Your own changes are not saved yet.").arg(name)
+            : tr("Another program has changed %1.").arg(name),
+        tr("Reload"), [this] { reload(); }, tr("Keep what is here"), [] {});
+}
+
+/// Saving would overwrite the other program's work, so it is not among the answers.
+void MainWindow::reload() {
+    const QString path = m_watch.path();
+    if (m_document.isModified()) {
+        QMessageBox question(QMessageBox::Question, tr("Reload the file"),
+                             tr("Reloading %1 drops the changes made here.").arg(QFileInfo(path).fileName()),
+                             QMessageBox::Cancel, this);
+        question.setObjectName(QStringLiteral("reloadQuestion"));
+        QPushButton* copy = question.addButton(tr("Save them elsewhere\u2026"), QMessageBox::AcceptRole);
+        QPushButton* drop = question.addButton(tr("Drop them"), QMessageBox::DestructiveRole);
+        question.exec();
+        const bool kept = question.clickedButton() == copy && saveChartAs();
+        if (!kept && question.clickedButton() != drop) {
+            return;
+        }
+    }
+    m_document.open(path);
 }
 
 void MainWindow::whenLeft(const std::function<void()>& action) {

@@ -1,4 +1,5 @@
 #include "ui/views/chart_editor/chart_editor.h"
+#include "ui/views/chart_editor/legend_panel.h"
 #include "ui/views/diagnostics/diagnostics_panel.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/history/history_card.h"
@@ -7,12 +8,14 @@
 #include "ui/views/simulation_panel/simulation_panel.h"
 #include "ui/views/source/source_view.h"
 #include "ui/views/step_player/step_player.h"
+#include "ui/views/style/icons.h"
 #include "ui/views/yarn_library/yarn_panel.h"
 #include "ui/window/main_window.h"
 
 #include <QDockWidget>
 #include <QScreen>
 #include <QStackedWidget>
+#include <QUndoView>
 
 #include <algorithm>
 
@@ -21,14 +24,16 @@ namespace knittsim::ui {
 namespace {
 
 const QString kGeometry = QStringLiteral("window/geometry");
-const QString kArrangement = QStringLiteral("window/arrangement2"); // the number rises when docks change
+const QString kArrangement = QStringLiteral("window/arrangement3"); // the number rises when docks change
 const QString kStyle = QStringLiteral("window/style");
 const QString kOrthographic = QStringLiteral("window/orthographic");
 const QString kLegend = QStringLiteral("window/legend");
+const QString kLook = QStringLiteral("window/chartLook");
 const QString kHistory = QStringLiteral("window/history");
 
 constexpr double kTeachingSpeed = 0.5; ///< operations a second, so that their phases are seen
 constexpr int kLeftWidth = 320;
+constexpr int kChartWidth = 470; ///< the symbols of 40 wales are seen
 constexpr int kRightWidth = 270;
 /// In a lower window yarns and simulation share one place.
 constexpr int kLeastHeightForBoth = 760;
@@ -48,13 +53,13 @@ QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWid
 }
 
 void MainWindow::buildDocks() {
-    m_grid = new PatternGrid(m_document, this);
+    m_grid = new PatternGrid(m_document, m_look, this);
     m_source = new SourceView(m_document, this);
     m_yarns = new YarnPanel(m_document, this);
     m_simulation = new SimulationPanel(m_document, this);
     m_problems = new DiagnosticsPanel(m_document, this);
     m_beds = new NeedleBeds(m_document, this);
-    m_chart = new ChartEditor(m_document, this);
+    m_chart = new ChartEditor(m_document, m_look, this);
     m_patterns = new QStackedWidget(this);
     m_patterns->addWidget(m_grid);
     m_patterns->addWidget(m_chart);
@@ -66,6 +71,17 @@ void MainWindow::buildDocks() {
     m_problemDock =
         addDock(QStringLiteral("problemDock"), tr("Problems"), m_problems, Qt::BottomDockWidgetArea);
     m_bedDock = addDock(QStringLiteral("bedDock"), tr("Needle beds"), m_beds, Qt::BottomDockWidgetArea);
+    m_legendDock = addDock(QStringLiteral("legendDock"), tr("Legend"),
+                           new LegendPanel(m_document, m_look, this), Qt::RightDockWidgetArea);
+    auto* steps = new QUndoView(m_document.undoStack(), this);
+    steps->setObjectName(QStringLiteral("steps"));
+    steps->setAccessibleName(tr("Steps of the work"));
+    steps->setWhatsThis(tr("What was done, the last step at the end. A click goes there and back again."));
+    steps->setToolTip(tr("Click a step to go there; the disk marks what is saved"));
+    steps->setEmptyLabel(tr("As it was opened"));
+    steps->setCleanIcon(icon(QStringLiteral("save")));
+    steps->setFrameShape(QFrame::NoFrame);
+    m_stepsDock = addDock(QStringLiteral("stepsDock"), tr("Steps"), steps, Qt::RightDockWidgetArea);
     connect(m_player, &StepPlayer::playingChanged, m_beds, &NeedleBeds::setPlaying);
     connect(m_player, &StepPlayer::speedChanged, m_beds, &NeedleBeds::setSpeed);
     m_beds->setSpeed(m_player->speed());
@@ -99,9 +115,10 @@ void MainWindow::takeTitleBars() {
 
 void MainWindow::arrange(Layout layout) {
     const std::initializer_list<std::pair<QDockWidget*, Qt::DockWidgetArea>> homes{
-        {m_gridDock, Qt::LeftDockWidgetArea},  {m_sourceDock, Qt::LeftDockWidgetArea},
-        {m_yarnDock, Qt::RightDockWidgetArea}, {m_simulationDock, Qt::RightDockWidgetArea},
-        {m_bedDock, Qt::BottomDockWidgetArea}, {m_problemDock, Qt::BottomDockWidgetArea}};
+        {m_gridDock, Qt::LeftDockWidgetArea},   {m_sourceDock, Qt::LeftDockWidgetArea},
+        {m_yarnDock, Qt::RightDockWidgetArea},  {m_legendDock, Qt::RightDockWidgetArea},
+        {m_stepsDock, Qt::RightDockWidgetArea}, {m_simulationDock, Qt::RightDockWidgetArea},
+        {m_bedDock, Qt::BottomDockWidgetArea},  {m_problemDock, Qt::BottomDockWidgetArea}};
     for (const auto& [dock, area] : homes) {
         dock->setFloating(false);
         addDockWidget(area, dock);
@@ -114,6 +131,11 @@ void MainWindow::arrange(Layout layout) {
     m_sourceDock->setVisible(!teaching);
     m_yarnDock->setVisible(layout == Layout::Standard);
     m_simulationDock->setVisible(layout == Layout::Standard);
+    for (QDockWidget* dock : {m_legendDock, m_stepsDock}) {
+        tabifyDockWidget(m_yarnDock, dock);
+        dock->setVisible(layout == Layout::Standard);
+    }
+    m_yarnDock->raise();
     m_problemDock->setVisible(layout == Layout::Checking || hasWarnings(m_document.problems()));
     if (!teaching) {
         (layout == Layout::Checking ? m_sourceDock : m_gridDock)->raise();
@@ -122,7 +144,8 @@ void MainWindow::arrange(Layout layout) {
         tabifyDockWidget(m_yarnDock, m_simulationDock);
         m_simulationDock->raise();
     }
-    resizeDocks({m_gridDock, m_yarnDock}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
+    resizeDocks({m_gridDock, m_yarnDock}, {m_document.project() ? kChartWidth : kLeftWidth, kRightWidth},
+                Qt::Horizontal);
     resizeDocks({m_yarnDock, m_simulationDock}, {380, 320}, Qt::Vertical);
     if (teaching) {
         m_bedDock->raise();
@@ -153,6 +176,7 @@ void MainWindow::restoreSession() {
                                     : render::DrawStyle::Yarn);
     m_fabric->setOrthographic(m_session.value(kOrthographic) == "1");
     m_fabric->setLegend(m_session.value(kLegend) != "0");
+    m_look.restore(m_session.value(kLook));
     m_history->setSwitchedOn(m_session.value(kHistory) != "0");
 }
 
@@ -165,6 +189,7 @@ void MainWindow::saveSession() {
                                                                    : "0");
     m_session.setValue(kOrthographic, m_fabric->isOrthographic() ? "1" : "0");
     m_session.setValue(kLegend, m_fabric->hasLegend() ? "1" : "0");
+    m_session.setValue(kLook, m_look.save());
     m_session.setValue(kHistory, m_history->isSwitchedOn() ? "1" : "0");
 }
 

@@ -1,6 +1,10 @@
 #include "ui/window/sample_thumbnail.h"
 
+#include "core/pattern/project.h"
+
+#include <QBuffer>
 #include <QPainterPath>
+#include <QPixmap>
 
 #include <algorithm>
 
@@ -8,6 +12,7 @@ namespace knittsim::ui {
 
 namespace {
 
+constexpr QSize kThumbnail(160, 96);
 constexpr double kCellWidth = 11;
 constexpr double kCellHeight = 9;
 
@@ -128,6 +133,29 @@ void paintChartThumbnail(QPainter& painter, const QRectF& rect, const pattern::C
                         rect.bottom() - (rect.height() - height) / 2 - height, width, height);
     Thumbnail(painter, middle, chart).paint();
     painter.restore();
+}
+
+QByteArray chartThumbnail(const pattern::Chart& chart) {
+    QImage image(kThumbnail, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    paintChartThumbnail(painter, QRectF(QPointF(0, 0), QSizeF(kThumbnail)), chart);
+    painter.end();
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    return bytes.toBase64();
+}
+
+QPixmap thumbnailOf(const QString& path) {
+    const std::filesystem::path file(path.toStdString());
+    QPixmap picture;
+    if (pattern::isProjectFile(file)) {
+        picture.loadFromData(QByteArray::fromBase64(QByteArray::fromStdString(pattern::readThumbnail(file))),
+                             "PNG");
+    }
+    return picture;
 }
 
 } // namespace knittsim::ui

@@ -10,4 +10,10 @@ namespace knittsim::ui {
 /// moved loops. Shows as many whole cells as fit into `rect`, from the lower left corner of the chart.
 void paintChartThumbnail(QPainter& painter, const QRectF& rect, const pattern::Chart& chart);
 
+/// The same as a small PNG in base64, as project files have it.
+QByteArray chartThumbnail(const pattern::Chart& chart);
+
+/// The thumbnail of a project file; null where it has none.
+QPixmap thumbnailOf(const QString& path);
+
 } // namespace knittsim::ui

@@ -8,6 +8,7 @@
 #include "ui/views/style/appearance.h"
 #include "ui/window/banner.h"
 #include "ui/window/main_window.h"
+#include "ui/window/sample_thumbnail.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -19,6 +20,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -287,9 +289,53 @@ private slots:
 
         init();
         QVERIFY(child<Banner>("banner")->text().contains("new"));
-        open([&] { emit child<Banner>("banner")->actionWanted(); });
+        open([&] { child<QPushButton>("bannerAction")->click(); });
         QCOMPARE(chart(), drawn);
         QVERIFY(m_window->isWindowModified());
+        cleanup();
+
+        QVERIFY(QFile::copy(m_folder.filePath("kept.knitt"), copy));
+        init();
+        QVERIFY(child<Banner>("banner")->isVisible());
+        child<QPushButton>("bannerOther")->click();
+        QVERIFY2(folder.entryList({"*.knitt"}, QDir::Files).isEmpty(), "declined");
+        QVERIFY(!child<Banner>("banner")->isVisible());
+    }
+
+    void aChangeFromOutsideIsNoticed() {
+        newChart(6, 6);
+        const QString path = m_folder.filePath("shared.knitt");
+        QVERIFY(!hasErrors(document().save(path)));
+        QTest::qWait(600);
+        QVERIFY2(!child<Banner>("banner")->isVisible(), "it was saved here");
+        pattern::Project other{.chart = pattern::plainChart(4, 4), .machine = {}};
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray::fromStdString(pattern::writeProject(other)));
+        file.close();
+        QTRY_VERIFY(child<Banner>("banner")->isVisible());
+        QCOMPARE(chart().width, 6);
+        open([&] { child<QPushButton>("bannerAction")->click(); });
+        QCOMPARE(chart(), other.chart);
+        // Work that is not saved stays, when the person says so.
+        document().editChart("mine", [](pattern::Chart& chart) { chart.at(1, 1).stitch = Stitch::Purl; });
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray::fromStdString(pattern::writeProject(project(9))));
+        file.close();
+        QTRY_VERIFY(child<Banner>("banner")->isVisible());
+        child<QPushButton>("bannerOther")->click();
+        QCOMPARE(chart().at(1, 1).stitch, Stitch::Purl);
+        QVERIFY(m_window->isWindowModified());
+    }
+
+    void aThumbnailIsInTheFile() {
+        newChart(12, 10);
+        const QString path = m_folder.filePath("picture.knitt");
+        const QByteArray picture = chartThumbnail(chart());
+        QVERIFY(!hasErrors(document().save(path, picture)));
+        QCOMPARE(pattern::readThumbnail(path.toStdString()), picture.toStdString());
+        QVERIFY(!thumbnailOf(path).isNull());
+        QVERIFY(thumbnailOf(m_folder.filePath("no.knitt")).isNull());
     }
 
     void aLargeChartIsEditedWithoutWaiting() {
@@ -312,6 +358,10 @@ private:
         return plain;
     }
     std::size_t operationCount() { return static_cast<std::size_t>(document().operationCount()); }
+
+    static pattern::Project project(int wales) {
+        return {.chart = pattern::plainChart(wales, 4), .machine = {}};
+    }
 
     template<class T> T* child(const char* name) {
         T* found = m_window->findChild<T*>(QString::fromLatin1(name));

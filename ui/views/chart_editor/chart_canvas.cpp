@@ -23,8 +23,9 @@ constexpr int kHandle = 9; ///< pixels
 
 } // namespace
 
-ChartCanvas::ChartCanvas(document::Document& document, QWidget* parent)
-    : ChartArea({.leastFitted = 5, .largestFitted = 30, .leastWithLines = 6}, parent), m_document(document) {
+ChartCanvas::ChartCanvas(document::Document& document, ChartLook& look, QWidget* parent)
+    : ChartArea(look, {.leastFitted = 5, .largestFitted = 30, .leastWithLines = 6}, parent),
+      m_document(document) {
     setObjectName(QStringLiteral("chartCanvas"));
     setAccessibleName(tr("Chart"));
     setWhatsThis(tr("Wales across, courses up. The left button draws, the right one picks stitch and yarn."));
@@ -38,7 +39,8 @@ ChartCanvas::ChartCanvas(document::Document& document, QWidget* parent)
     const auto repaint = [this] { viewport()->update(); };
     connect(&m_document, &document::Document::stepChanged, this, repaint);
     connect(&m_document, &document::Document::selectionChanged, this, repaint);
-    connect(&m_document, &document::Document::yarnsChanged, this, repaint);
+    connect(&m_document, &document::Document::yarnsChanged, this, &ChartCanvas::takeNotes);
+    connect(&m_document, &document::Document::chartFollowed, this, &ChartCanvas::takeFacts);
     connect(&m_document, &document::Document::problemsChanged, this, repaint);
     connect(&m_document, &document::Document::selectionChanged, this, &ChartCanvas::showSelected);
     takeChart();
@@ -56,7 +58,7 @@ void ChartCanvas::takeChart() {
     m_cursor = {std::clamp(m_cursor.wale, 0, std::max(0, chart.width - 1)),
                 std::clamp(m_cursor.course, 0, std::max(0, chart.height() - 1))};
     setChart(chart.width, chart.height(), chart.beds == pattern::BedUse::Double, 1);
-    layoutChart();
+    takeNotes();
 }
 
 const Chart& ChartCanvas::shown() const {
@@ -282,6 +284,10 @@ void ChartCanvas::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || !m_project) {
         return;
     }
+    if (const auto side = sideAt(position)) {
+        editSide(*side, position);
+        return;
+    }
     if (place) {
         m_cursor = *place;
         m_anchor = *place;
@@ -405,7 +411,7 @@ bool ChartCanvas::viewportEvent(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const auto place = placeAt(help->pos());
-        QToolTip::showText(help->globalPos(), place ? textOf(*place) : QString(), viewport());
+        QToolTip::showText(help->globalPos(), place ? textOf(*place) : sideText(help->pos()), viewport());
         return true;
     }
     return ChartArea::viewportEvent(event);

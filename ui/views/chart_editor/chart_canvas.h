@@ -19,7 +19,7 @@ class ChartCanvas : public ChartArea {
     Q_OBJECT
 
 public:
-    explicit ChartCanvas(document::Document& document, QWidget* parent = nullptr);
+    ChartCanvas(document::Document& document, ChartLook& look, QWidget* parent = nullptr);
 
     ChartTool tool() const { return m_tool; }
     void setTool(ChartTool tool);
@@ -46,6 +46,10 @@ public:
     void removeCourses();
     void insertWales();
     void removeWales();
+    /// Of the cursor's course, or of those of the selection.
+    void chooseCourseYarn();
+    void editStitchSize();
+    void editRacking();
 
     QSize sizeHint() const override { return {420, 420}; }
 
@@ -86,6 +90,15 @@ private:
     QString textOf(pattern::CellPlace place) const;
     QColor colourOf(const pattern::Cell& cell) const;
 
+    // chart_canvas_sides.cpp
+    void takeFacts();
+    void takeNotes();
+    std::vector<CourseNote::Yarn> yarnsOf(int course) const;
+    pattern::CellRange coursesAt(int course) const;
+    void editSide(SidePlace place, QPoint position);
+    void chooseYarn(int course, std::optional<std::uint8_t> from, QPoint globalPosition);
+    void editNumber(SidePlace place);
+
     // chart_canvas_paint.cpp
     void paintGrounds(QPainter& painter) const;
     void paintCells(QPainter& painter);
@@ -95,6 +108,7 @@ private:
 
     document::Document& m_document;
     std::shared_ptr<const pattern::Project> m_project;
+    std::vector<document::CourseFacts> m_facts; ///< by course; empty while the fabric does not follow
     ChartTool m_tool = ChartTool::Select;
     pattern::Brush m_brush{pattern::Stitch::Purl, std::nullopt};
     const pattern::Module* m_module = nullptr;

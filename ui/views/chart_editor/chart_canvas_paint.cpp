@@ -54,8 +54,8 @@ void ChartCanvas::paintGrounds(QPainter& painter) const {
 
 const QPixmap& ChartCanvas::symbol(Stitch stitch, const QSize& size, bool darkInk) {
     const quint64 key = static_cast<quint64>(size.width()) << 32U |
-                        static_cast<quint64>(size.height()) << 16U | static_cast<quint64>(stitch) << 1U |
-                        static_cast<quint64>(darkInk);
+                        static_cast<quint64>(size.height()) << 16U | static_cast<quint64>(stitch) << 4U |
+                        static_cast<quint64>(look().symbols()) << 1U | static_cast<quint64>(darkInk);
     const auto found = m_symbols.constFind(key);
     if (found != m_symbols.constEnd()) {
         return *found;
@@ -69,7 +69,7 @@ const QPixmap& ChartCanvas::symbol(Stitch stitch, const QSize& size, bool darkIn
     QPainter painter(&pixmap);
     QColor ink = darkInk ? Qt::black : Qt::white;
     ink.setAlphaF(darkInk ? 0.72F : 0.86F);
-    paintStitch(painter, QRectF(QPointF(0, 0), QSizeF(size)), stitch, ink);
+    paintStitch(painter, QRectF(QPointF(0, 0), QSizeF(size)), stitch, look().symbols(), ink);
     painter.end();
     return *m_symbols.insert(key, pixmap);
 }
@@ -106,7 +106,7 @@ void ChartCanvas::paintCells(QPainter& painter) {
             const QColor ground = colourOf(chart.at(std::clamp(moves[0].to, 0, chart.width - 1), course));
             paintMoves(
                 painter, moves, [&](int wale) { return QRectF(geometryOfChart().cellRect(course, wale)); },
-                inkOn(ground), ground);
+                look().symbols(), inkOn(ground), ground);
         }
     }
 }

@@ -15,11 +15,11 @@
 
 namespace knittsim::ui {
 
-ChartEditor::ChartEditor(document::Document& document, QWidget* parent)
-    : QWidget(parent), m_document(document), m_canvas(new ChartCanvas(document, this)),
-      m_stitches(new StitchPalette(this)), m_yarns(new YarnPalette(document, this)),
-      m_catalogue(new CataloguePopup(this)), m_tools(new QToolBar(this)), m_toolGroup(new QActionGroup(this)),
-      m_hint(new QLabel(this)) {
+ChartEditor::ChartEditor(document::Document& document, ChartLook& look, QWidget* parent)
+    : QWidget(parent), m_document(document), m_canvas(new ChartCanvas(document, look, this)),
+      m_stitches(new StitchPalette(look, this)), m_yarns(new YarnPalette(document, this)),
+      m_catalogue(new CataloguePopup(look, this)), m_tools(new QToolBar(this)),
+      m_toolGroup(new QActionGroup(this)), m_hint(new QLabel(this)) {
     setObjectName(QStringLiteral("chartEditor"));
     m_tools->setIconSize({18, 18});
     buildTools();
@@ -163,6 +163,12 @@ void ChartEditor::buildEdits() {
             [canvas] { canvas->insertWales(); });
     addEdit("actionChartRemoveWales", tr("Remove wale&s"), Qt::CTRL | Qt::SHIFT | Qt::Key_J,
             [canvas] { canvas->removeWales(); });
+    addEdit("actionChartCourseYarn", tr("&Yarn of the course\u2026"), Qt::CTRL | Qt::Key_U,
+            [canvas] { canvas->chooseCourseYarn(); });
+    addEdit("actionChartStitchSize", tr("Stitch si&ze of the course\u2026"), Qt::CTRL | Qt::Key_G,
+            [canvas] { canvas->editStitchSize(); });
+    addEdit("actionChartRacking", tr("Rackin&g of the course\u2026"), Qt::CTRL | Qt::SHIFT | Qt::Key_G,
+            [canvas] { canvas->editRacking(); });
 }
 
 } // namespace knittsim::ui

@@ -12,6 +12,7 @@ namespace knittsim::ui {
 
 class CataloguePopup;
 class ChartCanvas;
+class ChartLook;
 class StitchPalette;
 class YarnPalette;
 
@@ -20,7 +21,7 @@ class ChartEditor : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ChartEditor(document::Document& document, QWidget* parent = nullptr);
+    ChartEditor(document::Document& document, ChartLook& look, QWidget* parent = nullptr);
 
     ChartCanvas* canvas() const { return m_canvas; }
     /// Tools and what is done with a selection, with their keys, for a menu.

@@ -3,6 +3,7 @@
 #include "ui/views/chart_editor/stitch_picture.h"
 
 #include <QButtonGroup>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QPainter>
@@ -21,13 +22,13 @@ namespace {
 constexpr int kSwatch = 22;
 constexpr std::size_t kMostYarns = 8; ///< that a chart made here has; machines have few carriers
 
-QIcon stitchIcon(Stitch stitch, const QWidget& widget) {
+QIcon stitchIcon(Stitch stitch, SymbolSet symbols, const QWidget& widget) {
     const double ratio = widget.devicePixelRatioF();
     QPixmap pixmap(QSize(20, 20) * ratio);
     pixmap.setDevicePixelRatio(ratio);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
-    paintStitch(painter, {1, 2, 18, 16}, stitch, widget.palette().color(QPalette::ButtonText));
+    paintStitch(painter, {1, 2, 18, 16}, stitch, symbols, widget.palette().color(QPalette::ButtonText));
     painter.end();
     return pixmap;
 }
@@ -63,7 +64,8 @@ QString groupName(pattern::ModuleGroup group) {
 
 } // namespace
 
-StitchPalette::StitchPalette(QWidget* parent) : QWidget(parent), m_buttons(new QButtonGroup(this)) {
+StitchPalette::StitchPalette(ChartLook& look, QWidget* parent)
+    : QWidget(parent), m_look(look), m_buttons(new QButtonGroup(this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(1);
@@ -75,7 +77,6 @@ StitchPalette::StitchPalette(QWidget* parent) : QWidget(parent), m_buttons(new Q
         button->setCheckable(true);
         button->setAutoRaise(true);
         button->setIconSize({20, 20});
-        button->setIcon(stitchIcon(stitch, *this));
         button->setToolTip(stitchName(stitch));
         button->setAccessibleName(stitchName(stitch));
         m_buttons->addButton(button, static_cast<int>(stitch));
@@ -86,6 +87,21 @@ StitchPalette::StitchPalette(QWidget* parent) : QWidget(parent), m_buttons(new Q
         });
     }
     row->addStretch();
+    connect(&m_look, &ChartLook::changed, this, &StitchPalette::takeLook);
+    takeLook();
+}
+
+void StitchPalette::takeLook() {
+    for (QAbstractButton* button : m_buttons->buttons()) {
+        button->setIcon(stitchIcon(static_cast<Stitch>(m_buttons->id(button)), m_look.symbols(), *this));
+    }
+}
+
+void StitchPalette::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) {
+        takeLook();
+    }
+    QWidget::changeEvent(event);
 }
 
 void StitchPalette::setBothAllowed(bool allowed) {
@@ -202,7 +218,8 @@ void YarnPalette::addYarn() {
     }
 }
 
-CataloguePopup::CataloguePopup(QWidget* parent) : QMenu(parent), m_list(new QListWidget(this)) {
+CataloguePopup::CataloguePopup(ChartLook& look, QWidget* parent)
+    : QMenu(parent), m_look(look), m_list(new QListWidget(this)) {
     setObjectName(QStringLiteral("catalogue"));
     m_list->setObjectName(QStringLiteral("catalogueList"));
     m_list->setAccessibleName(tr("Stitch catalogue"));
@@ -235,8 +252,9 @@ void CataloguePopup::fill() {
     m_list->clear();
     for (const pattern::Module& module : pattern::catalogue()) {
         const QString name = QString::fromStdString(module.name);
-        auto* item = new QListWidgetItem(
-            QIcon(pictureOf(module.part, m_list->iconSize(), devicePixelRatioF(), palette())), name, m_list);
+        auto* item = new QListWidgetItem(QIcon(pictureOf(module.part, m_list->iconSize(), devicePixelRatioF(),
+                                                         palette(), m_look.symbols())),
+                                         name, m_list);
         item->setData(Qt::UserRole, QString::fromStdString(module.id));
         item->setToolTip(tr("%1 (%2), %3 wales x %4 courses")
                              .arg(name, groupName(module.group))

@@ -2,6 +2,7 @@
 
 #include "core/pattern/catalogue.h"
 #include "ui/document/document.h"
+#include "ui/views/pattern_editor/chart_look.h"
 
 #include <QMenu>
 #include <QWidget>
@@ -17,7 +18,7 @@ class StitchPalette : public QWidget {
     Q_OBJECT
 
 public:
-    explicit StitchPalette(QWidget* parent = nullptr);
+    explicit StitchPalette(ChartLook& look, QWidget* parent = nullptr);
 
     void setBothAllowed(bool allowed);
     void choose(std::optional<pattern::Stitch> stitch);
@@ -26,7 +27,13 @@ public:
 signals:
     void changed();
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void takeLook();
+
+    ChartLook& m_look;
     QButtonGroup* m_buttons;
 };
 
@@ -57,7 +64,7 @@ class CataloguePopup : public QMenu {
     Q_OBJECT
 
 public:
-    explicit CataloguePopup(QWidget* parent = nullptr);
+    explicit CataloguePopup(ChartLook& look, QWidget* parent = nullptr);
 
 signals:
     void chosen(const knittsim::pattern::Module* module);
@@ -65,6 +72,7 @@ signals:
 private:
     void fill();
 
+    ChartLook& m_look;
     QListWidget* m_list;
 };
 

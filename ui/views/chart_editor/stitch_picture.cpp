@@ -15,59 +15,80 @@ using document::StitchKind;
 using document::StitchMark;
 using pattern::Stitch;
 
-void paintStitch(QPainter& painter, const QRectF& rect, Stitch stitch, const QColor& ink) {
-    painter.setRenderHint(QPainter::Antialiasing);
-    const QPointF middle = rect.center();
+void paintStitch(QPainter& painter, const QRectF& rect, Stitch stitch, SymbolSet symbols, const QColor& ink) {
     switch (stitch) {
     case Stitch::Knit:
-        paintSymbol(painter, rect, {.kind = StitchKind::Knit}, ink);
-        break;
+        return paintSymbol(painter, rect, StitchMark{.kind = StitchKind::Knit}, symbols, ink);
     case Stitch::Purl:
-        paintSymbol(painter, rect, {.kind = StitchKind::Knit, .rear = true}, ink);
-        break;
+        return paintSymbol(painter, rect, StitchMark{.kind = StitchKind::Knit, .rear = true}, symbols, ink);
     case Stitch::Tuck:
-        paintSymbol(painter, rect, {.kind = StitchKind::Tuck}, ink);
-        break;
+        return paintSymbol(painter, rect, StitchMark{.kind = StitchKind::Tuck}, symbols, ink);
     case Stitch::Both: {
         const QRectF upper(rect.topLeft(), QSizeF(rect.width(), rect.height() / 2));
-        paintSymbol(painter, upper, {.kind = StitchKind::Knit, .rear = true}, ink);
-        paintSymbol(painter, upper.translated(0, rect.height() / 2), {.kind = StitchKind::Knit}, ink);
-        break;
+        paintSymbol(painter, upper, StitchMark{.kind = StitchKind::Knit, .rear = true}, symbols, ink);
+        return paintSymbol(painter, upper.translated(0, rect.height() / 2),
+                           StitchMark{.kind = StitchKind::Knit}, symbols, ink);
     }
     case Stitch::Miss:
-        painter.setPen(QPen(ink, std::max(1.2, 0.12 * rect.height()), Qt::SolidLine, Qt::FlatCap));
-        painter.drawLine(QPointF(rect.left(), middle.y()), QPointF(rect.right(), middle.y()));
-        break;
+        return paintSymbol(painter, rect, NoLoop::Miss, symbols, ink);
     case Stitch::Rest:
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(ink);
-        painter.drawEllipse(middle, std::max(1.0, 0.1 * rect.width()), std::max(1.0, 0.1 * rect.width()));
-        break;
+        return paintSymbol(painter, rect, NoLoop::Rest, symbols, ink);
     case Stitch::Empty:
-        painter.setPen(QPen(ink, 1));
-        painter.drawLine(rect.bottomLeft() + QPointF(2, -2), rect.topRight() + QPointF(-2, 2));
-        break;
+        return paintSymbol(painter, rect, NoLoop::Empty, symbols, ink);
     }
 }
 
+bool isStacked(const std::vector<pattern::LoopMove>& moves, const pattern::LoopMove& move) {
+    return std::ranges::none_of(moves, [&](const pattern::LoopMove& other) { return other.from == move.to; });
+}
+
+bool leavesHole(const std::vector<pattern::LoopMove>& moves, const pattern::LoopMove& move) {
+    return std::ranges::none_of(moves, [&](const pattern::LoopMove& other) { return other.to == move.from; });
+}
+
+namespace {
+
+/// The way of a loop through its course: a curve, or the straight line of the craft's cables.
+QPainterPath wayOf(const QRectF& from, const QRectF& to, SymbolSet symbols) {
+    QPainterPath path(QPointF(from.center().x(), from.bottom()));
+    if (symbols == SymbolSet::Craft) {
+        path.lineTo(to.center().x(), to.top());
+    } else {
+        const double mid = from.center().y();
+        path.cubicTo({from.center().x(), mid}, {to.center().x(), mid}, {to.center().x(), to.top()});
+    }
+    return path;
+}
+
+/// A decrease of the craft leans the way that its loop went.
+QPainterPath slashOf(const QRectF& cell, bool right) {
+    const double half = 0.32 * std::min(cell.width(), cell.height() * 1.2);
+    const QPointF up(right ? half : -half, -half);
+    QPainterPath path(cell.center() - up);
+    path.lineTo(cell.center() + up);
+    return path;
+}
+
+} // namespace
+
 void paintMoves(QPainter& painter, const std::vector<pattern::LoopMove>& moves,
-                const std::function<QRectF(int)>& cellOf, const QColor& ink, const QColor& ground) {
+                const std::function<QRectF(int)>& cellOf, SymbolSet symbols, const QColor& ink,
+                const QColor& ground) {
     painter.setRenderHint(QPainter::Antialiasing);
     // The first of two that cross lies in front, so it is drawn last.
     for (auto move = moves.rbegin(); move != moves.rend(); ++move) {
         const QRectF from = cellOf(move->from);
         const QRectF to = cellOf(move->to);
-        QPainterPath path(QPointF(from.center().x(), from.bottom()));
-        const double mid = from.center().y();
-        path.cubicTo({from.center().x(), mid}, {to.center().x(), mid}, {to.center().x(), to.top()});
+        const bool slash = symbols == SymbolSet::Craft && isStacked(moves, *move);
+        const QPainterPath path = slash ? slashOf(to, move->to > move->from) : wayOf(from, to, symbols);
         painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(ground, std::max(3.0, 0.42 * from.width()), Qt::SolidLine, Qt::FlatCap));
-        painter.drawPath(path);
+        if (!slash) {
+            painter.setPen(QPen(ground, std::max(3.0, 0.42 * from.width()), Qt::SolidLine, Qt::FlatCap));
+            painter.drawPath(path);
+        }
         painter.setPen(QPen(ink, std::max(1.5, 0.16 * from.width()), Qt::SolidLine, Qt::FlatCap));
         painter.drawPath(path);
-        const bool leavesHole = std::ranges::none_of(
-            moves, [&](const pattern::LoopMove& other) { return other.to == move->from; });
-        if (leavesHole) {
+        if (leavesHole(moves, *move)) {
             const double radius = 0.24 * std::min(from.width(), from.height());
             painter.setPen(QPen(ink, std::max(1.2, 0.1 * from.width())));
             painter.setBrush(ground);
@@ -76,7 +97,8 @@ void paintMoves(QPainter& painter, const std::vector<pattern::LoopMove>& moves,
     }
 }
 
-QPixmap pictureOf(const pattern::Chart& part, const QSize& size, double ratio, const QPalette& palette) {
+QPixmap pictureOf(const pattern::Chart& part, const QSize& size, double ratio, const QPalette& palette,
+                  SymbolSet symbols) {
     QPixmap pixmap(size * ratio);
     pixmap.setDevicePixelRatio(ratio);
     pixmap.fill(Qt::transparent);
@@ -104,11 +126,11 @@ QPixmap pictureOf(const pattern::Chart& part, const QSize& size, double ratio, c
             const bool moved = std::ranges::any_of(
                 part.course(c).moves, [&](const auto& move) { return move.from == w || move.to == w; });
             if (!moved) {
-                paintStitch(painter, rectOf(w, c), part.at(w, c).stitch, ink);
+                paintStitch(painter, rectOf(w, c), part.at(w, c).stitch, symbols, ink);
             }
         }
         paintMoves(
-            painter, part.course(c).moves, [&](int wale) { return rectOf(wale, c); }, ink, base);
+            painter, part.course(c).moves, [&](int wale) { return rectOf(wale, c); }, symbols, ink, base);
     }
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(accentsOf(palette).line);

@@ -9,12 +9,14 @@
 
 namespace knittsim::ui {
 
-ChartArea::ChartArea(Cells cells, QWidget* parent) : QAbstractScrollArea(parent), m_cells(cells) {
+ChartArea::ChartArea(ChartLook& look, Cells cells, QWidget* parent)
+    : QAbstractScrollArea(parent), m_look(look), m_cells(cells) {
     setFocusPolicy(Qt::StrongFocus);
     setFrameShape(QFrame::NoFrame);
     viewport()->setMouseTracking(true);
     horizontalScrollBar()->setSingleStep(24);
     verticalScrollBar()->setSingleStep(24);
+    connect(&m_look, &ChartLook::changed, this, [this] { m_fitted ? fitChart() : layoutChart(); });
 }
 
 void ChartArea::setChart(int columns, int courses, bool tall, int firstNumber) {
@@ -24,11 +26,14 @@ void ChartArea::setChart(int columns, int courses, bool tall, int firstNumber) {
     m_firstNumber = firstNumber;
 }
 
+void ChartArea::setNotes(std::vector<CourseNote> notes) {
+    m_notes = std::move(notes);
+    layoutChart();
+}
+
 void ChartArea::layoutChart() {
-    const QFontMetrics metrics(font());
-    const int digits = std::max(3, static_cast<int>(QString::number(m_geometry.courses).size()));
     m_geometry.view = viewport()->size();
-    m_geometry.header = {metrics.horizontalAdvance(QString(digits, u'8')) + 13, metrics.height() + 6};
+    layoutSides();
     const QSize area = m_geometry.chartArea().size();
     const QSize content = m_geometry.content();
     horizontalScrollBar()->setRange(0, std::max(0, content.width() - area.width()));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/views/pattern_editor/chart_geometry.h"
+#include "ui/views/pattern_editor/course_notes.h"
 
 #include <QAbstractScrollArea>
 
@@ -9,14 +10,16 @@
 
 namespace knittsim::ui {
 
-/// A scrolled chart of cells with row numbers beside and needle numbers below it. Ctrl and the wheel, + and -
-/// zoom at the cursor; until the first zoom the cells follow the size of the widget. What stands in the cells
-/// is up to who derives from it.
+/// A scrolled chart of cells with columns of what each course is made of beside and needle numbers below it.
+/// Ctrl and the wheel, + and - zoom at the cursor; until the first zoom the cells follow the size of the
+/// widget. What stands in the cells is up to who derives from it.
 class ChartArea : public QAbstractScrollArea {
     Q_OBJECT
 
 public:
     const ChartGeometry& geometryOfChart() const { return m_geometry; }
+
+    bool isShown(SideColumn column) const;
 
     void fitChart();
     void zoomIn() { zoomAt(viewport()->rect().center(), +1); }
@@ -32,11 +35,24 @@ protected:
         int leastWithLines = 7;
     };
 
-    ChartArea(Cells cells, QWidget* parent);
+    /// A place beside the chart.
+    struct SidePlace {
+        SideColumn column = SideColumn::Course;
+        int course = 0;
+    };
+
+    ChartArea(ChartLook& look, Cells cells, QWidget* parent);
+
+    const ChartLook& look() const { return m_look; }
 
     /// Courses and columns; the first column has this number.
     void setChart(int columns, int courses, bool tall, int firstNumber);
+    /// One for each course.
+    void setNotes(std::vector<CourseNote> notes);
     void layoutChart();
+    std::optional<SidePlace> sideAt(QPoint position) const;
+    QString sideText(QPoint position) const; ///< of the course beside which it is; empty elsewhere
+    QRect sideRect(SidePlace place) const;   ///< null where the column is hidden
     /// Moves the chart so that `cell` is seen, and `margin` pixels around it where there is room.
     void scrollTo(const QRect& cell, int margin);
     void scrollToFirstCourse();
@@ -58,13 +74,30 @@ protected:
     void paintFocus(QPainter& painter) const;
 
 private:
+    struct Side {
+        SideColumn column = SideColumn::Course;
+        int left = 0;
+        int width = 0;
+    };
+
     void setCellWidth(int width, QPoint fixed);
     void zoomAt(QPoint position, int direction);
     void paintNumber(QPainter& painter, const QRect& rect, int number, bool strong, int align) const;
     void paintRowNumbers(QPainter& painter, const std::vector<int>& strongCourses) const;
     void paintColumnNumbers(QPainter& painter, std::optional<int> strongColumn) const;
 
+    // chart_sides.cpp
+    void layoutSides();
+    int widthOf(SideColumn column) const;
+    int carrierWidth() const; ///< of the box of one carrier
+    void paintSides(QPainter& painter, int labelEvery) const;
+    void paintSide(QPainter& painter, const Side& side, int course, bool labelled) const;
+    void paintYarns(QPainter& painter, const QRect& rect, const CourseNote& note) const;
+
+    ChartLook& m_look;
     const Cells m_cells;
+    std::vector<CourseNote> m_notes;
+    std::vector<Side> m_sides; ///< that are shown, from the left
     ChartGeometry m_geometry;
     int m_firstNumber = 0;
     bool m_fitted = true;

@@ -60,11 +60,15 @@ void ChartArea::paintNumber(QPainter& painter, const QRect& rect, int number, bo
 }
 
 void ChartArea::paintRowNumbers(QPainter& painter, const std::vector<int>& strongCourses) const {
+    if (m_sides.empty() || m_sides.front().column != SideColumn::Course) {
+        return;
+    }
+    const int width = m_sides.front().width;
     const int height = QFontMetrics(font()).height();
     const int cellHeight = m_geometry.cellHeight();
     const auto courses = m_geometry.visibleCourses();
     const int step = labelStep(cellHeight, height + 2);
-    painter.setClipRect(QRect(0, 0, m_geometry.header.width() - 1, m_geometry.chartArea().height()));
+    painter.setClipRect(QRect(0, 0, width - 1, m_geometry.chartArea().height()));
     for (int course = courses.first; course < courses.end; ++course) {
         const bool strong = std::ranges::find(strongCourses, course) != strongCourses.end();
         const bool covered = !strong && std::ranges::any_of(strongCourses, [&](int other) {
@@ -72,8 +76,8 @@ void ChartArea::paintRowNumbers(QPainter& painter, const std::vector<int>& stron
         });
         if (strong || (!covered && (course + 1) % step == 0)) {
             const int middle = m_geometry.cellRect(course, 0).center().y();
-            paintNumber(painter, {0, middle - height / 2, m_geometry.header.width() - 6, height}, course + 1,
-                        strong, Qt::AlignRight | Qt::AlignVCenter);
+            paintNumber(painter, {0, middle - height / 2, width - 6, height}, course + 1, strong,
+                        Qt::AlignRight | Qt::AlignVCenter);
         }
     }
 }
@@ -109,7 +113,10 @@ void ChartArea::paintHeaders(QPainter& painter, const std::vector<int>& strongCo
     painter.drawLine(area.left() - 1, area.bottom() + 1, m_geometry.view.width(), area.bottom() + 1);
     painter.save();
     paintRowNumbers(painter, strongCourses);
-    paintColumnNumbers(painter, strongColumn);
+    paintSides(painter, labelStep(m_geometry.cellHeight(), QFontMetrics(font()).height() + 2));
+    if (isShown(SideColumn::Needle)) {
+        paintColumnNumbers(painter, strongColumn);
+    }
     painter.restore();
 }
 

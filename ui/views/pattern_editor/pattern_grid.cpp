@@ -17,8 +17,9 @@ using document::GridCell;
 using document::GridPlace;
 using machine::LoopIndex;
 
-PatternGrid::PatternGrid(document::Document& document, QWidget* parent)
-    : ChartArea({.leastFitted = 9, .largestFitted = 26, .leastWithLines = 7}, parent), m_document(document) {
+PatternGrid::PatternGrid(document::Document& document, ChartLook& look, QWidget* parent)
+    : ChartArea(look, {.leastFitted = 9, .largestFitted = 26, .leastWithLines = 7}, parent),
+      m_document(document) {
     setObjectName(QStringLiteral("patternGrid"));
     setAccessibleName(tr("Pattern grid"));
     setWhatsThis(tr(
@@ -36,6 +37,25 @@ const document::StitchGrid* PatternGrid::grid() const {
     return file ? file->grid.get() : nullptr;
 }
 
+namespace {
+
+std::vector<document::CourseFacts> factsOf(const document::OpenedFile* file) {
+    if (!file) {
+        return {};
+    }
+    std::vector<int> courses(file->timeline->program().operations.size(), -1);
+    const auto& loops = file->timeline->loops().loops;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        courses[static_cast<std::size_t>(loops[i].operation)] =
+            file->grid->placeOf(static_cast<LoopIndex>(i)).course;
+    }
+    return document::courseFacts(
+        file->timeline->program(), file->grid->courseCount(),
+        [&](machine::OperationIndex operation) { return courses[static_cast<std::size_t>(operation)]; });
+}
+
+} // namespace
+
 void PatternGrid::takeFile() {
     const document::StitchGrid* chart = grid();
     if (chart) {
@@ -44,6 +64,7 @@ void PatternGrid::takeFile() {
         setChart(0, 0, false, 0);
     }
     m_hover = -1;
+    m_facts = factsOf(m_document.file().get());
     takeYarns();
     takeStep();
     fitChart();
@@ -84,7 +105,28 @@ void PatternGrid::takeYarns() {
         const yarn::Colour c = carrier.yarn.colour;
         m_colours.emplace_back(c.r, c.g, c.b);
     }
-    viewport()->update();
+    takeNotes();
+}
+
+void PatternGrid::takeNotes() {
+    std::vector<CourseNote> notes;
+    std::optional<double> before;
+    for (const document::CourseFacts& facts : m_facts) {
+        CourseNote& note = notes.emplace_back();
+        for (const document::CourseFacts::Feed& feed : facts.feeds) {
+            const document::CarrierYarn* carrier =
+                feed.carrier < m_document.carriers().size() ? &m_document.carriers()[feed.carrier] : nullptr;
+            note.yarns.push_back(
+                {carrier ? QString::fromStdString(carrier->carrier) : QString(),
+                 feed.carrier < m_colours.size() ? m_colours[feed.carrier] : QColor(Qt::gray),
+                 machine::sign(feed.direction)});
+        }
+        note.stitchSize = facts.stitchSize;
+        note.ownStitchSize = facts.stitchSize != before;
+        before = facts.stitchSize;
+        note.racking = facts.racking;
+    }
+    setNotes(std::move(notes));
 }
 
 QColor PatternGrid::colourOf(LoopIndex loop) const {
@@ -246,7 +288,8 @@ bool PatternGrid::event(QEvent* event) {
 bool PatternGrid::viewportEvent(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        QToolTip::showText(help->globalPos(), textAt(help->pos()), viewport());
+        const QString side = sideText(help->pos());
+        QToolTip::showText(help->globalPos(), side.isEmpty() ? textAt(help->pos()) : side, viewport());
         return true;
     }
     if (event->type() == QEvent::Leave) {

@@ -14,7 +14,7 @@ class PatternGrid : public ChartArea {
     Q_OBJECT
 
 public:
-    explicit PatternGrid(document::Document& document, QWidget* parent = nullptr);
+    PatternGrid(document::Document& document, ChartLook& look, QWidget* parent = nullptr);
 
     /// Middle of a stitch in viewport coordinates, after scrolling it into view.
     QPoint showLoop(machine::LoopIndex loop);
@@ -38,6 +38,7 @@ private:
     void takeStep();
     void takeSelection();
     void takeYarns();
+    void takeNotes();
     bool moveSelection(int key);
     machine::LoopIndex loopAt(QPoint position) const;
     QString textAt(QPoint position) const;
@@ -55,6 +56,7 @@ private:
 
     document::Document& m_document;
     CellPainter m_cells;
+    std::vector<document::CourseFacts> m_facts;
     std::vector<QColor> m_colours;    ///< by carrier
     machine::LoopIndex m_knitted = 0; ///< loops below this are made at the document's step
     machine::LoopIndex m_hover = -1;

@@ -92,7 +92,7 @@ void PatternGrid::paintSymbols(QPainter& painter) {
                 if (loop >= 0) {
                     const document::StitchMark mark = grid()->markOf(loop);
                     const bool faint = isFaint(loop);
-                    m_cells.drawSymbol(painter, rectOf(loop), mark,
+                    m_cells.drawSymbol(painter, rectOf(loop), mark, look().symbols(),
                                        CellPainter::ground(colourOf(loop), mark.rear, faint, base), faint);
                 }
             }

@@ -1,7 +1,11 @@
 #include "ui/views/yarn_library/yarn_model.h"
 
+#include "core/yarn/own_yarns.h"
+#include "ui/document/document.h"
+
 #include <QColor>
 #include <QMimeData>
+#include <QRegularExpression>
 
 #include <algorithm>
 
@@ -11,20 +15,72 @@ QColor colourOf(const yarn::Yarn& yarn) {
     return {yarn.colour.r, yarn.colour.g, yarn.colour.b};
 }
 
-YarnModel::YarnModel(const yarn::YarnLibrary& library, QObject* parent)
-    : QAbstractListModel(parent), m_library(library) {
-    setSearch({});
+namespace {
+
+QString kindOf(const yarn::Yarn& yarn) {
+    static const QRegularExpression kNoLetter(QStringLiteral("[^\\p{L}-]"));
+    return QString::fromStdString(yarn.fibre).section(kNoLetter, 0, 0).toLower();
+}
+
+bool isOwn(const yarn::Yarn& yarn) {
+    return yarn::isOwn(document::Document::ownYarnFolder().toStdString(), yarn.id);
+}
+
+} // namespace
+
+YarnModel::YarnModel(std::shared_ptr<const yarn::YarnLibrary> library, QObject* parent)
+    : QAbstractListModel(parent), m_library(std::move(library)) {
+    find();
+}
+
+void YarnModel::setLibrary(std::shared_ptr<const yarn::YarnLibrary> library) {
+    beginResetModel();
+    m_found.clear(); // they lie in the old one
+    m_library = std::move(library);
+    endResetModel();
+    find();
 }
 
 void YarnModel::setSearch(const QString& text) {
+    m_search = text;
+    find();
+}
+
+void YarnModel::setFibre(const QString& fibre) {
+    m_fibre = fibre;
+    find();
+}
+
+void YarnModel::setOnlyOwn(bool on) {
+    m_onlyOwn = on;
+    find();
+}
+
+QStringList YarnModel::fibres() const {
+    QStringList kinds;
+    for (const yarn::Yarn& yarn : m_library->yarns()) {
+        kinds << kindOf(yarn);
+    }
+    kinds.removeDuplicates();
+    kinds.sort();
+    return kinds;
+}
+
+QModelIndex YarnModel::indexOf(const std::string& id) const {
+    const auto found = std::ranges::find(m_found, id, &yarn::Yarn::id);
+    return found == m_found.end() ? QModelIndex() : index(static_cast<int>(found - m_found.begin()));
+}
+
+void YarnModel::find() {
     beginResetModel();
     m_found.clear();
-    const QStringList words = text.split(u' ', Qt::SkipEmptyParts);
-    for (const yarn::Yarn& yarn : m_library.yarns()) {
+    const QStringList words = m_search.split(u' ', Qt::SkipEmptyParts);
+    for (const yarn::Yarn& yarn : m_library->yarns()) {
         const QString all =
             QString::fromStdString(yarn.name + ' ' + yarn.id + ' ' + yarn.fibre + ' ' + yarn.count);
-        if (std::all_of(words.begin(), words.end(),
-                        [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); })) {
+        const bool matches = std::ranges::all_of(
+            words, [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
+        if (matches && (m_fibre.isEmpty() || kindOf(yarn) == m_fibre) && (!m_onlyOwn || isOwn(yarn))) {
             m_found.push_back(&yarn);
         }
     }

@@ -5,6 +5,8 @@
 #include <QAbstractListModel>
 #include <QString>
 
+#include <memory>
+
 namespace knittsim::ui {
 
 /// MIME type of a dragged yarn; its bytes are the yarn's id.
@@ -22,15 +24,23 @@ enum YarnRole {
 
 QColor colourOf(const yarn::Yarn& yarn);
 
-/// The yarns of a library that match a search text (name, id, fibre, count).
+/// The yarns of a library that match a search text (name, id, fibre, count) and a filter.
 class YarnModel : public QAbstractListModel {
     Q_OBJECT
 
 public:
-    /// `library` must outlive the model.
-    explicit YarnModel(const yarn::YarnLibrary& library, QObject* parent = nullptr);
+    explicit YarnModel(std::shared_ptr<const yarn::YarnLibrary> library, QObject* parent = nullptr);
 
+    void setLibrary(std::shared_ptr<const yarn::YarnLibrary> library);
     void setSearch(const QString& text);
+    /// Kinds of fibre in the library: the first word of each, in order of the alphabet.
+    QStringList fibres() const;
+    /// One of fibres(); empty: all.
+    void setFibre(const QString& fibre);
+    /// Only the person's own yarns.
+    void setOnlyOwn(bool on);
+    /// Invalid where it is not shown.
+    QModelIndex indexOf(const std::string& id) const;
     const yarn::Yarn* yarnAt(const QModelIndex& index) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -41,7 +51,12 @@ public:
     Qt::DropActions supportedDragActions() const override { return Qt::CopyAction; }
 
 private:
-    const yarn::YarnLibrary& m_library;
+    void find();
+
+    std::shared_ptr<const yarn::YarnLibrary> m_library;
+    QString m_search;
+    QString m_fibre;
+    bool m_onlyOwn = false;
     std::vector<const yarn::Yarn*> m_found;
 };
 

@@ -2,17 +2,22 @@
 
 #include "ui/views/style/appearance.h"
 #include "ui/views/style/icons.h"
+#include "ui/views/yarn_library/colourway_bar.h"
 #include "ui/views/yarn_library/yarn_delegate.h"
 #include "ui/views/yarn_library/yarn_details.h"
 
 #include <QColorDialog>
+#include <QComboBox>
 #include <QEvent>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QMenu>
 #include <QPushButton>
 #include <QSplitter>
 #include <QTextBrowser>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -40,11 +45,12 @@ QListView* makeList(QWidget* parent, QAbstractItemModel& model, const char* name
 } // namespace
 
 YarnPanel::YarnPanel(document::Document& document, QWidget* parent)
-    : QWidget(parent), m_document(document), m_carriers(document), m_yarns(document.library()) {
+    : QWidget(parent), m_document(document), m_carriers(document), m_yarns(document.sharedLibrary()) {
     setObjectName(QStringLiteral("yarnPanel"));
     build();
     connect(&m_carriers, &QAbstractItemModel::modelReset, this, &YarnPanel::fitCarriers);
     connect(&m_document, &document::Document::yarnsChanged, this, &YarnPanel::showDetails);
+    connect(&m_document, &document::Document::libraryChanged, this, [this] { takeLibrary({}); });
     fitCarriers();
     m_yarnList->setCurrentIndex(m_yarns.index(0));
 }
@@ -97,8 +103,26 @@ QWidget* YarnPanel::makeLibrary() {
     auto* layout = new QVBoxLayout(library);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(5);
-    layout->addWidget(m_search);
+    m_filter = new QComboBox(this);
+    m_filter->setObjectName(QStringLiteral("yarnFilter"));
+    m_filter->setAccessibleName(tr("Which yarns"));
+    m_filter->setToolTip(tr("Shows all yarns, your own, or those of one fibre"));
+    m_filter->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    connect(m_filter, &QComboBox::activated, this, &YarnPanel::takeFilter);
+    auto* own = new QToolButton(this);
+    own->setObjectName(QStringLiteral("ownYarns"));
+    own->setText(tr("Own"));
+    own->setToolTip(tr("Add, change, import and export yarns of your own"));
+    own->setPopupMode(QToolButton::InstantPopup);
+    own->setMenu(makeOwnMenu());
+    auto* row = new QHBoxLayout;
+    row->setSpacing(4);
+    row->addWidget(m_search, 4);
+    row->addWidget(m_filter, 3);
+    row->addWidget(own);
+    layout->addLayout(row);
     layout->addWidget(m_yarnList, 1);
+    takeLibrary({});
     return library;
 }
 
@@ -107,6 +131,7 @@ void YarnPanel::build() {
     layout->setContentsMargins(8, 6, 8, 8);
     layout->setSpacing(5);
     layout->addWidget(makeHeading(tr("Carriers")));
+    layout->addWidget(new ColourwayBar(m_document, this));
     layout->addWidget(makeCarriers());
     layout->addSpacing(2);
     layout->addWidget(makeHeading(tr("Library")));

@@ -6,9 +6,11 @@
 
 #include <QWidget>
 
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QListView;
+class QMenu;
 class QPushButton;
 class QTextBrowser;
 
@@ -35,12 +37,23 @@ private:
     void chooseColour(const QModelIndex& carrier);
     void changeEvent(QEvent* event) override;
 
+    // yarn_panel_own.cpp: a person's own yarns
+    QMenu* makeOwnMenu();
+    void editYarn(const yarn::Yarn& yarn);
+    void importYarns();
+    void exportYarn();
+    void forgetYarn();
+    void tellProblem(const QString& title, const Diagnostics& problems);
+    void takeLibrary(const std::string& select);
+    void takeFilter();
+
     document::Document& m_document;
     CarrierModel m_carriers;
     YarnModel m_yarns;
     QListView* m_carrierList = nullptr;
     QListView* m_yarnList = nullptr;
     QLineEdit* m_search = nullptr;
+    QComboBox* m_filter = nullptr;
     QTextBrowser* m_details = nullptr;
     QPushButton* m_assign = nullptr;
     bool m_showsCarrier = false; ///< details of the carrier's yarn, else of the library's

@@ -1,0 +1,145 @@
+// The part of the panel that keeps a person's own yarns.
+
+#include "core/base/file.h"
+#include "core/yarn/own_yarns.h"
+#include "ui/document/message_text.h"
+#include "ui/views/yarn_library/yarn_dialog.h"
+#include "ui/views/yarn_library/yarn_panel.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QListView>
+#include <QMenu>
+#include <QMessageBox>
+
+namespace knittsim::ui {
+
+namespace {
+
+constexpr int kAll = 0;
+constexpr int kOwn = 1;
+
+std::filesystem::path ownFolder() {
+    return document::Document::ownYarnFolder().toStdString();
+}
+
+} // namespace
+
+QMenu* YarnPanel::makeOwnMenu() {
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("ownYarnMenu"));
+    menu->setToolTipsVisible(true);
+    const auto chosen = [this] { return m_yarns.yarnAt(m_yarnList->currentIndex()); };
+    QAction* add = menu->addAction(tr("&New yarn like this one\u2026"), this, [this, chosen] {
+        yarn::Yarn yarn = chosen() ? *chosen() : yarn::defaultYarn();
+        yarn.id.clear();
+        yarn.name = tr("My %1").arg(QString::fromStdString(yarn.name)).toStdString();
+        editYarn(yarn);
+    });
+    add->setToolTip(tr("A copy that is yours"));
+    QAction* edit = menu->addAction(tr("&Change\u2026"), this, [this, chosen] { editYarn(*chosen()); });
+    QAction* forget = menu->addAction(tr("&Delete"), this, &YarnPanel::forgetYarn);
+    menu->addSeparator();
+    menu->addAction(tr("&Import\u2026"), this, &YarnPanel::importYarns);
+    QAction* out = menu->addAction(tr("&Export\u2026"), this, &YarnPanel::exportYarn);
+    connect(menu, &QMenu::aboutToShow, this, [chosen, edit, forget, out] {
+        const bool own = chosen() && yarn::isOwn(ownFolder(), chosen()->id);
+        edit->setEnabled(own);
+        forget->setEnabled(own);
+        out->setEnabled(chosen() != nullptr);
+    });
+    return menu;
+}
+
+void YarnPanel::editYarn(const yarn::Yarn& yarn) {
+    auto* dialog = new YarnDialog(yarn, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, fresh = yarn.id.empty()] {
+        yarn::Yarn made = dialog->yarn();
+        // Another yarn of this name is not overwritten.
+        const std::string id = made.id;
+        for (int i = 2; fresh && m_document.library().find(made.id); ++i) {
+            made.id = id + '-' + std::to_string(i);
+        }
+        const Diagnostics problems = yarn::keepYarn(ownFolder(), made);
+        if (hasErrors(problems)) {
+            tellProblem(tr("The yarn could not be saved"), problems);
+            return;
+        }
+        m_document.reloadLibrary();
+        takeLibrary(made.id);
+    });
+    dialog->open();
+}
+
+void YarnPanel::importYarns() {
+    const QStringList paths = QFileDialog::getOpenFileNames(this, tr("Import yarns"), QString(),
+                                                            tr("Yarns (*.json);;All files (*)"));
+    std::string last;
+    for (const QString& path : paths) {
+        const auto imported = yarn::importYarn(path.toStdString(), ownFolder());
+        if (!imported) {
+            tellProblem(tr("%1 is no yarn that can be read").arg(path), imported.diagnostics());
+        } else {
+            last = imported.value().id;
+        }
+    }
+    if (!last.empty()) {
+        m_document.reloadLibrary();
+        takeLibrary(last);
+    }
+}
+
+void YarnPanel::exportYarn() {
+    const yarn::Yarn* chosen = m_yarns.yarnAt(m_yarnList->currentIndex());
+    if (!chosen) {
+        return;
+    }
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Export the yarn"), QString::fromStdString(chosen->id + ".json"), tr("Yarns (*.json)"));
+    if (!path.isEmpty()) {
+        const auto written = writeFileAtomically(path.toStdString(), yarn::toJson(*chosen));
+        if (!written) {
+            tellProblem(tr("The yarn could not be written"), written.diagnostics());
+        }
+    }
+}
+
+void YarnPanel::forgetYarn() {
+    const yarn::Yarn* chosen = m_yarns.yarnAt(m_yarnList->currentIndex());
+    if (chosen && QMessageBox::question(this, tr("Delete the yarn"),
+                                        tr("Delete %1 from your yarns? Fabrics that use it keep it.")
+                                            .arg(QString::fromStdString(chosen->name))) == QMessageBox::Yes) {
+        yarn::forgetYarn(ownFolder(), chosen->id);
+        m_document.reloadLibrary();
+    }
+}
+
+void YarnPanel::tellProblem(const QString& title, const Diagnostics& problems) {
+    QMessageBox::warning(this, title,
+                         title + QStringLiteral(".\n") +
+                             (problems.empty() ? QString() : document::causeText(problems.front())));
+}
+
+/// `select`: id of the yarn to show; empty: the first.
+void YarnPanel::takeLibrary(const std::string& select) {
+    m_yarns.setLibrary(m_document.sharedLibrary());
+    const QString before = m_filter->currentText();
+    m_filter->clear();
+    m_filter->addItems({tr("All yarns"), tr("Your own")});
+    m_filter->addItems(m_yarns.fibres());
+    m_filter->setCurrentIndex(std::max(0, m_filter->findText(before)));
+    takeFilter();
+    const QModelIndex found = select.empty() ? QModelIndex() : m_yarns.indexOf(select);
+    m_yarnList->setCurrentIndex(found.isValid() ? found : m_yarns.index(0));
+    m_yarnList->scrollTo(m_yarnList->currentIndex());
+}
+
+void YarnPanel::takeFilter() {
+    const int index = m_filter->currentIndex();
+    m_yarns.setOnlyOwn(index == kOwn);
+    m_yarns.setFibre(index == kAll || index == kOwn ? QString() : m_filter->currentText());
+    m_yarnList->setCurrentIndex(m_yarns.index(0));
+}
+
+} // namespace knittsim::ui
