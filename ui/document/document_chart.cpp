@@ -162,11 +162,11 @@ LoopIndex Document::loopOfCell(pattern::CellPlace place) const {
 }
 
 std::optional<pattern::CellPlace> Document::cellOfLoop(LoopIndex loop) const {
-    const auto& loops = m_file ? m_file->timeline->loops().loops : std::vector<machine::Loop>();
-    if (!fabricFollowsChart() || loop < 0 || static_cast<std::size_t>(loop) >= loops.size()) {
+    if (!fabricFollowsChart() || loop < 0 ||
+        static_cast<std::size_t>(loop) >= m_file->timeline->loops().loops.size()) {
         return std::nullopt;
     }
-    const machine::Loop& made = loops[static_cast<std::size_t>(loop)];
+    const machine::Loop& made = m_file->timeline->loops().loops[static_cast<std::size_t>(loop)];
     const auto course = std::ranges::upper_bound(m_file->chartCourseEnds, made.operation);
     return pattern::CellPlace{made.needle.index - pattern::kFirstNeedle,
                               static_cast<int>(course - m_file->chartCourseEnds.begin())};

@@ -115,10 +115,13 @@ void MainWindow::takeTitleBars() {
 
 void MainWindow::arrange(Layout layout) {
     const std::initializer_list<std::pair<QDockWidget*, Qt::DockWidgetArea>> homes{
-        {m_gridDock, Qt::LeftDockWidgetArea},   {m_sourceDock, Qt::LeftDockWidgetArea},
-        {m_yarnDock, Qt::RightDockWidgetArea},  {m_legendDock, Qt::RightDockWidgetArea},
-        {m_stepsDock, Qt::RightDockWidgetArea}, {m_simulationDock, Qt::RightDockWidgetArea},
-        {m_bedDock, Qt::BottomDockWidgetArea},  {m_problemDock, Qt::BottomDockWidgetArea}};
+        {m_gridDock, Qt::LeftDockWidgetArea},  {m_sourceDock, Qt::LeftDockWidgetArea},
+        {m_yarnDock, Qt::RightDockWidgetArea}, {m_simulationDock, Qt::RightDockWidgetArea},
+        {m_bedDock, Qt::BottomDockWidgetArea}, {m_problemDock, Qt::BottomDockWidgetArea}};
+    for (QDockWidget* dock : {m_legendDock, m_stepsDock, m_simulationDock}) {
+        dock->hide(); // above each other they would make a low window grow
+        dock->setFloating(false);
+    }
     for (const auto& [dock, area] : homes) {
         dock->setFloating(false);
         addDockWidget(area, dock);
@@ -126,24 +129,25 @@ void MainWindow::arrange(Layout layout) {
     tabifyDockWidget(m_gridDock, m_sourceDock);
     const bool teaching = layout == Layout::Teaching;
     tabifyDockWidget(m_problemDock, m_bedDock);
+    const bool low = height() < kLeastHeightForBoth;
+    if (low) {
+        tabifyDockWidget(m_yarnDock, m_simulationDock);
+    }
+    for (QDockWidget* dock : {m_legendDock, m_stepsDock}) {
+        tabifyDockWidget(m_yarnDock, dock);
+    }
     m_gridDock->setVisible(!teaching);
     m_bedDock->setVisible(teaching);
     m_sourceDock->setVisible(!teaching);
     m_yarnDock->setVisible(layout == Layout::Standard);
     m_simulationDock->setVisible(layout == Layout::Standard);
-    for (QDockWidget* dock : {m_legendDock, m_stepsDock}) {
-        tabifyDockWidget(m_yarnDock, dock);
-        dock->setVisible(layout == Layout::Standard);
-    }
-    m_yarnDock->raise();
+    m_legendDock->setVisible(layout == Layout::Standard);
+    m_stepsDock->setVisible(layout == Layout::Standard);
     m_problemDock->setVisible(layout == Layout::Checking || hasWarnings(m_document.problems()));
     if (!teaching) {
         (layout == Layout::Checking ? m_sourceDock : m_gridDock)->raise();
     }
-    if (height() < kLeastHeightForBoth) {
-        tabifyDockWidget(m_yarnDock, m_simulationDock);
-        m_simulationDock->raise();
-    }
+    (low ? m_simulationDock : m_yarnDock)->raise();
     resizeDocks({m_gridDock, m_yarnDock}, {m_document.project() ? kChartWidth : kLeftWidth, kRightWidth},
                 Qt::Horizontal);
     resizeDocks({m_yarnDock, m_simulationDock}, {380, 320}, Qt::Vertical);

@@ -7,7 +7,7 @@ namespace {
 
 TEST(CourseFacts, TellCarriersInTheOrderOfTheirLastPass) {
     machine::Program program;
-    program.header.carriers = {{.name = "1"}, {.name = "2"}};
+    program.header.carriers.resize(2);
     using machine::Direction;
     using machine::OperationKind;
     const auto knit = [&](Direction direction, int carrier) {

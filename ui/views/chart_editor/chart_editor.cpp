@@ -54,6 +54,8 @@ ChartEditor::ChartEditor(document::Document& document, ChartLook& look, QWidget*
         m_canvas->setModule(module);
         m_canvas->setTool(ChartTool::Stamp);
         m_canvas->setFocus();
+        m_hint->setText(tr("A click lays down %1, its lower left corner first; a drag repeats it.")
+                            .arg(QString::fromStdString(module->name)));
     });
     connect(m_canvas, &ChartCanvas::hovered, m_hint, &QLabel::setText);
     connect(&m_document, &document::Document::chartFollowed, this, &ChartEditor::takeFollowing);
@@ -123,6 +125,7 @@ void ChartEditor::buildTools() {
     QAction* stamp = addTool(static_cast<int>(ChartTool::Stamp), QStringLiteral("actionChartStamp"),
                              tr("Stitch catalogue"), Qt::SHIFT | Qt::Key_B, QStringLiteral("samples"));
     auto* button = qobject_cast<QToolButton*>(m_tools->widgetForAction(stamp));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     connect(stamp, &QAction::triggered, this, [this, button] {
         const QWidget* at = button->isVisible() ? static_cast<QWidget*>(button) : this;
         m_catalogue->popup(at->mapToGlobal(QPoint(0, at == this ? 0 : at->height())));

@@ -39,7 +39,7 @@ using SheetProgress = std::function<bool(int done, int all)>;
 Diagnostics writeChartPdf(const ChartSheet& sheet, const QString& path, const SheetProgress& progress = {});
 
 /// One picture; cells have at most `cell` pixels, less where the side would pass kMaxSide.
-constexpr int kMaxSheetSide = 12'000;
+constexpr int kMaxSheetSide = 8000;
 /// Null where it was ended.
 QImage chartImage(const ChartSheet& sheet, int cell = 24, const SheetProgress& progress = {});
 Diagnostics writeChartPng(const ChartSheet& sheet, const QString& path, const SheetProgress& progress = {});

@@ -1,6 +1,7 @@
 #include "ui/views/chart_editor/palettes.h"
 
 #include "ui/views/chart_editor/stitch_picture.h"
+#include "ui/views/style/appearance.h"
 
 #include <QButtonGroup>
 #include <QEvent>
@@ -28,6 +29,10 @@ QIcon stitchIcon(Stitch stitch, SymbolSet symbols, const QWidget& widget) {
     pixmap.setDevicePixelRatio(ratio);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
+    if (symbols == SymbolSet::Craft) { // there knit is an empty cell
+        painter.setPen(accentsOf(widget.palette()).faintText);
+        painter.drawRect(QRectF(0.5, 1.5, 19, 17));
+    }
     paintStitch(painter, {1, 2, 18, 16}, stitch, symbols, widget.palette().color(QPalette::ButtonText));
     painter.end();
     return pixmap;

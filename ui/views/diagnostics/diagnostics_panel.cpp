@@ -102,6 +102,7 @@ void DiagnosticsPanel::takeProblems() {
     takeRules();
     const auto off = static_cast<int>(m_document.waived().size());
     m_off->setText(tr("%1 turned off").arg(off));
+    m_off->setVisible(off > 0 || m_off->isChecked());
     m_off->setEnabled(off > 0);
     m_report->setEnabled(m_document.file() || m_document.failedFile());
     m_list->setProblems(problems, m_document.waived());

@@ -41,12 +41,13 @@ void ChartArea::paintLines(QPainter& painter) const {
         const int y = last.bottom() + 1 - (course - courses.first) * m_geometry.cellHeight();
         (course % 10 == 0 ? strong : thin) << QLine(first.left(), y, last.right(), y);
     }
-    const int tone = isDark(palette()) ? 255 : 0;
+    // Seen on light and on dark yarns.
+    constexpr int kTone = 128;
     const bool small = m_geometry.cellWidth < 12;
     painter.setRenderHint(QPainter::Antialiasing, false);
-    painter.setPen(QColor(tone, tone, tone, small ? 16 : 28));
+    painter.setPen(QColor(kTone, kTone, kTone, small ? 45 : 75));
     painter.drawLines(thin);
-    painter.setPen(QColor(tone, tone, tone, small ? 52 : 80));
+    painter.setPen(QColor(kTone, kTone, kTone, small ? 120 : 180));
     painter.drawLines(strong);
 }
 

@@ -172,7 +172,9 @@ void ChartArea::paintSide(QPainter& painter, const Side& side, int course, bool 
         const auto arrows = static_cast<int>(std::min<std::size_t>(note.yarns.size(), kMostYarns));
         for (int i = 0; i < arrows; ++i) {
             if (const int direction = note.yarns[static_cast<std::size_t>(i)].direction; direction != 0) {
-                paintArrow(painter, QRectF(cell.left() + 3 + i * 13, label.top(), 11, label.height()),
+                const int room = cell.height() >= kLeastArrow ? cell.height() : height;
+                paintArrow(painter,
+                           QRectF(cell.left() + 3 + i * 13, cell.center().y() - room / 2.0, 11, room),
                            direction);
             }
         }

@@ -85,6 +85,9 @@ YarnDialog::YarnDialog(const yarn::Yarn& yarn, QWidget* parent)
         m_fibre->addItem(tr(fibre.name));
     }
     m_fibre->setCurrentText(QString::fromStdString(yarn.fibre));
+    m_fibre->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_fibre->lineEdit()->setCursorPosition(0);
+    m_counts->setWordWrap(true);
     m_fibre->setToolTip(tr("What it is made of; the density for the diameters follows from it"));
     addRow(form, "fibre", tr("Fibre"), m_fibre, m_fibre->lineEdit());
     QWidget* count = makeCount();
@@ -124,7 +127,7 @@ YarnDialog::YarnDialog(const yarn::Yarn& yarn, QWidget* parent)
     auto* rows = new QVBoxLayout(this);
     rows->addWidget(scroll, 1);
     rows->addWidget(m_buttons);
-    resize(500, 640);
+    resize(580, 600);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     check();
