@@ -14,7 +14,7 @@ using pattern::Stitch;
 
 namespace {
 
-constexpr int kLeastCellWithSymbol = 9;
+constexpr int kLeastCellWithSymbol = 8;
 constexpr int kLeastCellWithMoves = 4;
 constexpr int kMostSymbols = 256;
 

@@ -2,7 +2,6 @@
 
 #include "ui/views/pattern_editor/chart_area.h"
 #include "ui/views/style/appearance.h"
-#include "ui/views/style/numbers.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -180,10 +179,10 @@ void ChartArea::paintSide(QPainter& painter, const Side& side, int course, bool 
         }
     } else if (side.column == SideColumn::StitchSize && note.stitchSize && labelled) {
         painter.setPen(note.ownStitchSize ? palette().color(QPalette::WindowText) : accents.faintText);
-        painter.drawText(label, Qt::AlignRight | Qt::AlignVCenter, shortNumber(*note.stitchSize));
+        painter.drawText(label, Qt::AlignRight | Qt::AlignVCenter, QString::number(*note.stitchSize, 'g', 4));
     } else if (side.column == SideColumn::Racking && labelled) {
         painter.setPen(note.racking != 0 ? palette().color(QPalette::WindowText) : accents.faintText);
-        painter.drawText(label, Qt::AlignRight | Qt::AlignVCenter, shortNumber(note.racking));
+        painter.drawText(label, Qt::AlignRight | Qt::AlignVCenter, QString::number(note.racking, 'g', 4));
     }
 }
 

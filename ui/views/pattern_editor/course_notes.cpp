@@ -1,7 +1,5 @@
 #include "ui/views/pattern_editor/course_notes.h"
 
-#include "ui/views/style/numbers.h"
-
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -41,10 +39,10 @@ QString noteText(const CourseNote& note, int course) {
                                        : tr("carrier %1").arg(yarn.carrier));
     }
     if (note.stitchSize) {
-        parts << tr("stitch size %1").arg(shortNumber(*note.stitchSize));
+        parts << tr("stitch size %1").arg(QString::number(*note.stitchSize, 'g', 4));
     }
     if (note.racking != 0) {
-        parts << tr("racking %1").arg(shortNumber(note.racking));
+        parts << tr("racking %1").arg(QString::number(note.racking, 'g', 4));
     }
     return parts.join(QStringLiteral(", "));
 }
