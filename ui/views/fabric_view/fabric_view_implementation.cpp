@@ -60,8 +60,8 @@ void FabricView::Implementation::placeChildren() {
     content.camera.setViewport(view.width(), view.height());
     canvas->widget()->setGeometry(view.rect());
     canvas->widget()->show();
+    canvas->widget()->lower(); // a new one as well; cards stay above the overlay
     overlay->setGeometry(view.rect());
-    overlay->raise();
 }
 
 void FabricView::Implementation::request() {
