@@ -307,33 +307,35 @@ void setYarn(FabricYarns& yarns, machine::CarrierIndex carrier, const yarn::Yarn
     yarns.weightOfYarn[carrier] = kGravity * yarn.tex * yarns.units.lengthMm / yarns.units.forceMilliNewton();
 }
 
-FabricYarns withHalfTheNodes(const Fabric& f, const FabricYarns& yarns, const physics::Vector& x) {
+FabricYarns withHalfTheNodes(const Fabric& f, const FabricYarns& yarns, const physics::Vector& x,
+                             const std::vector<char>& kept) {
     FabricYarns result;
     result.units = yarns.units;
     result.carrier = yarns.carrier;
     result.chains.yarns = yarns.chains.yarns;
     result.weightOfYarn = yarns.weightOfYarn;
     std::vector<Entry> renamed(static_cast<std::size_t>(yarns.chains.nodeCount()), 0);
-    std::vector<Entry> kept;
+    std::vector<Eigen::Vector3d> nodes;
     for (const physics::Chain& chain : yarns.chains.chains) {
-        const auto first = static_cast<Entry>(kept.size());
+        const auto first = static_cast<Entry>(nodes.size());
         for (Entry i = 0; i < chain.count; ++i) {
-            // An odd node is known by the one before it.
-            if (i % 2 == 0) {
-                kept.push_back(chain.first + i);
+            const auto old = static_cast<std::size_t>(chain.first + i);
+            const double rest = yarns.chains.restLength[old];
+            if (i % 2 == 0 || (!kept.empty() && kept[old] != 0)) {
+                nodes.emplace_back(physics::at(x, chain.first + i));
+                result.chains.restLength.push_back(rest);
+                result.point.push_back(yarns.point[old]);
+                result.piece.push_back(yarns.piece[old]);
+            } else {
+                result.chains.restLength.back() += rest;
             }
-            renamed[static_cast<std::size_t>(chain.first + i)] = static_cast<Entry>(kept.size()) - 1;
+            // A node that is left out is known by the one before it.
+            renamed[old] = static_cast<Entry>(nodes.size()) - 1;
         }
-        result.chains.chains.push_back({first, static_cast<Entry>(kept.size()) - first, chain.yarn});
+        result.chains.chains.push_back({first, static_cast<Entry>(nodes.size()) - first, chain.yarn});
     }
-    result.chains.nodes.resize(3, static_cast<Eigen::Index>(kept.size()));
-    for (std::size_t e = 0; e < kept.size(); ++e) {
-        const auto old = static_cast<std::size_t>(kept[e]);
-        result.chains.nodes.col(static_cast<Eigen::Index>(e)) = physics::at(x, kept[e]);
-        result.chains.restLength.push_back(2 * yarns.chains.restLength[old]);
-        result.point.push_back(yarns.point[old]);
-        result.piece.push_back(yarns.piece[old]);
-    }
+    result.chains.nodes =
+        Eigen::Map<const Eigen::Matrix3Xd>(nodes.front().data(), 3, static_cast<Eigen::Index>(nodes.size()));
     for (const Entry node : yarns.nodeOfPoint) {
         result.nodeOfPoint.push_back(node < 0 ? -1 : renamed[static_cast<std::size_t>(node)]);
     }

@@ -54,9 +54,9 @@ struct YarnLayout {
 FabricYarns layYarns(const fabric::Fabric& fabric, std::span<const yarn::Yarn> yarns,
                      const YarnLayout& layout = {});
 
-/// The same yarns at x with every second node left out.
-FabricYarns withHalfTheNodes(const fabric::Fabric& fabric, const FabricYarns& yarns,
-                             const physics::Vector& x);
+/// The same yarns at x with every second node left out, but those to be `kept` (by node; empty: none).
+FabricYarns withHalfTheNodes(const fabric::Fabric& fabric, const FabricYarns& yarns, const physics::Vector& x,
+                             const std::vector<char>& kept = {});
 
 /// The chains at x as curves in mm, for drawing and for the proofs of core/geometry; their surface is that of
 /// a table.

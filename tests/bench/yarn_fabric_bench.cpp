@@ -58,7 +58,7 @@ void settle(benchmark::State& state) {
         state.counters["evaluations"] = settling.report().evaluations;
         state.counters["residual"] = settling.report().residual;
         state.counters["overlaps"] = audit.coreOverlaps;
-        state.counters["doubtful"] = static_cast<double>(audit.pullThroughs.size());
+        state.counters["passed"] = static_cast<double>(audit.passThroughs());
         state.counters["kw"] = inner.loopLengthMm / inner.waleSpacingMm;
         state.counters["kc"] = inner.loopLengthMm / inner.courseSpacingMm;
     }
