@@ -129,7 +129,7 @@ void YarnSettling::witness(const physics::Vector& from) {
     }
 }
 
-/// Every second node goes to the middle of its neighbours as far as no strand is in the way. Returns by node
+/// Every second node goes between its neighbours as far as no strand is in the way. Returns by node
 /// who does not get there.
 std::vector<char> YarnSettling::straighten() {
     physics::Vector& x = m_motion.positions;
@@ -141,7 +141,10 @@ std::vector<char> YarnSettling::straighten() {
         bool straight = true;
         for (const physics::Chain& chain : m_yarns.chains.chains) {
             for (Entry e = chain.first + 1; e < chain.first + chain.count - 1; e += 2) {
-                const Eigen::Vector3d middle = 0.5 * (physics::at(x, e - 1) + physics::at(x, e + 1));
+                const double before = m_yarns.chains.restLength[static_cast<std::size_t>(e) - 1];
+                const double after = m_yarns.chains.restLength[static_cast<std::size_t>(e)];
+                const Eigen::Vector3d middle =
+                    (after * physics::at(x, e - 1) + before * physics::at(x, e + 1)) / (before + after);
                 physics::at(move, e) = middle - physics::at(x, e);
                 const bool bends = physics::at(move, e).norm() > kStraight;
                 bent[static_cast<std::size_t>(e)] = bends ? 1 : 0;
@@ -157,9 +160,9 @@ std::vector<char> YarnSettling::straighten() {
             // Pressed on and on, strands would end up touching.
             physics::at(move, static_cast<Entry>(e)) *= share[e] < kFree ? 0 : share[e];
         }
-        const physics::Vector before = x;
+        const physics::Vector from = x;
         x += guard.allowed(x, move) * move;
-        witness(before);
+        witness(from);
     }
     return bent;
 }
