@@ -89,6 +89,7 @@ nlohmann::ordered_json report(const Loaded& loaded, const YarnSettling& settling
             {"residual", rest.residual},
             {"steps", rest.steps},
             {"evaluations", rest.evaluations},
+            {"removed_loops", loaded.removedLoops},
             {"nodes", settling.yarns().chains.nodeCount()},
             {"width_mm", inner.waleSpacingMm * whole.wales},
             {"height_mm", inner.courseSpacingMm * whole.courses},
@@ -119,6 +120,10 @@ void printText(const nlohmann::ordered_json& r) {
         "  wale spacing {:.3f} mm, course spacing {:.3f} mm, loop length {:.2f} mm, kw {:.2f}, kc {:.2f}\n",
         number("wale_spacing_mm"), number("course_spacing_mm"), number("loop_length_mm"), number("kw"),
         number("kc"));
+    if (r["removed_loops"].get<std::size_t>() > 0) {
+        fmt::print("  {} loops have run; their yarn went to the rungs\n",
+                   r["removed_loops"].get<std::size_t>());
+    }
     fmt::print("  {} core overlaps; {} strands passed through others on the way from {} of {} crossings\n",
                r["penetrations"].get<int>(), r["passed_strands"].get<int>(), r["crossings_laid"].get<int>(),
                r["crossings_expected"].get<int>());
