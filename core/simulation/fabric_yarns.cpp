@@ -23,10 +23,12 @@ constexpr int kSamples = 6;         ///< of the curve between two control points
 constexpr double kLeastYarn = 0.3;  ///< of its share of the curve: spans with hardly any yarn
 constexpr double kLeastDepth = 0.5; ///< stretch along the third axis
 constexpr double kMostDepth = 4;
-constexpr double kBulge = 0.05;          ///< diameters, of the curve beside the chain
-constexpr double kShortest = 0.05;       ///< segments, between two nodes
-constexpr double kNarrowest = 1 / 5.5;   ///< wale spacing to start from, loop lengths
-constexpr double kLowest = 1 / 6.5;      ///< course spacing, where the repeat does not tell it
+constexpr double kBulge = 0.05;        ///< diameters, of the curve beside the chain
+constexpr double kShortest = 0.05;     ///< segments, between two nodes
+constexpr double kNarrowest = 1 / 5.5; ///< wale spacing to start from, loop lengths
+constexpr double kLowest = 1 / 6.5;    ///< course spacing, where the repeat does not tell it
+constexpr double kUsualWale = 1 / 4.1; ///< of plain knit (PHYSICS 3), loop lengths
+constexpr double kUsualCourse = 1 / 5.3;
 constexpr std::size_t kLargestCell = 16; ///< stitches of a repeat
 constexpr int kCellEvaluations = 5'000;
 constexpr double kSettleSeconds = 30;                    ///< for the bonding-point model
@@ -82,11 +84,12 @@ Eigen::Vector2d drawIn(const Fabric& f, std::span<const yarn::Yarn> yarns, const
     const geometry::Measurement machine = geometry::measure(f, machinePositions(f));
     double wale = layout.waleSpacingMm;
     double course = layout.courseSpacingMm;
-    if (const auto cell = cellSpacings(f, yarns, layout.cancelled); cell && !(wale > 0 && course > 0)) {
+    const auto isGiven = [&] { return wale > 0 && course > 0; };
+    if (const auto cell = isGiven() ? std::nullopt : cellSpacings(f, yarns, layout.cancelled)) {
         wale = cell->x();
         course = cell->y();
     }
-    if (!(wale > 0) || !(course > 0)) {
+    if (!isGiven()) {
         Simulation net;
         net.apply(command::Load{
             .fabric = std::make_shared<Fabric>(f), .yarns = {yarns.begin(), yarns.end()}, .generation = 1});
@@ -354,6 +357,14 @@ FabricYarns layYarns(const Fabric& f, std::span<const yarn::Yarn> yarns, const Y
     hangUp(f, result);
     knotEnds(loopLength / result.units.lengthMm, result);
     return result;
+}
+
+FabricYarns guessYarns(const Fabric& f, std::span<const yarn::Yarn> yarns) {
+    const double loopLength = meanLoopLength(f);
+    YarnLayout layout;
+    layout.waleSpacingMm = kUsualWale * loopLength;
+    layout.courseSpacingMm = kUsualCourse * loopLength;
+    return layYarns(f, yarns, layout);
 }
 
 void setYarn(FabricYarns& yarns, machine::CarrierIndex carrier, const yarn::Yarn& yarn) {

@@ -55,6 +55,9 @@ struct YarnLayout {
 FabricYarns layYarns(const fabric::Fabric& fabric, std::span<const yarn::Yarn> yarns,
                      const YarnLayout& layout = {});
 
+/// The same curves, drawn in to what plain knit has: something to look at before the spacings are known.
+FabricYarns guessYarns(const fabric::Fabric& fabric, std::span<const yarn::Yarn> yarns);
+
 /// The same yarns at x with every second node left out, but those to be `kept` (by node; empty: none).
 FabricYarns withHalfTheNodes(const fabric::Fabric& fabric, const FabricYarns& yarns, const physics::Vector& x,
                              const std::vector<char>& kept = {});

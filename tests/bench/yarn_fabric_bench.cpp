@@ -39,8 +39,12 @@ double forceSeconds(const YarnSettling& settling) {
 void settle(benchmark::State& state) {
     const fabric::Fabric fabric = plain(static_cast<int>(state.range(0)));
     for (auto _ : state) {
+        const double start = cpuSeconds();
+        benchmark::DoNotOptimize(simulation::guessYarns(fabric, {}));
         const double begin = cpuSeconds();
+        state.counters["first_picture_s"] = begin - start;
         YarnSettling settling(fabric, {}, {});
+        state.counters["laid_s"] = cpuSeconds() - begin;
         double grown = 0;
         while (settling.step({})) {
             grown = settling.phase() == YarnSettling::Phase::Growing ? cpuSeconds() - begin : grown;
