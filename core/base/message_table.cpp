@@ -242,6 +242,7 @@ constexpr auto kMessages = std::to_array<Message>({
      "Look at it as machine data."},
     {"KS0515", "lift-carriers", "No carrier of {1} is left for the yarn of carrier '{0}'.",
      "Choose the machine that the program was made for."},
+    {"KS0516", "module-name", "A module cannot be called '{0}': {1}.", "Choose another name."},
 });
 
 static_assert(std::is_sorted(kMessages.begin(), kMessages.end(),

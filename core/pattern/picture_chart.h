@@ -25,6 +25,8 @@ struct PictureOptions {
     /// Spreads the error of each cell over its neighbours (Floyd and Steinberg, 1976), so that areas have the
     /// right brightness from afar; else each cell gets the nearest colour.
     bool dither = false;
+
+    bool operator==(const PictureOptions&) const = default;
 };
 
 /// A yarn for each stitch.

@@ -220,6 +220,12 @@ void PictureDialog::work() {
             options.colours.push_back(yarn.colour);
         }
     }
+    showWords();
+    showPreview();
+    if (options == m_options && *m_round > 0) {
+        return; // another gauge, or Return in a box
+    }
+    m_options = options;
     m_cells.reset();
     m_make->setEnabled(false);
     const int round = ++*m_round;
@@ -253,15 +259,23 @@ void PictureDialog::takeCells(std::optional<pattern::PictureCells> cells) {
             m_preview.setPixel(w, m_cells->courses - 1 - c, qRgb(colour.r, colour.g, colour.b));
         }
     }
-    const double wide = 10 * m_cells->wales / m_walesPer10->value();
-    const double high = 10 * m_cells->courses / m_coursesPer10->value();
-    m_words->setText(tr("%1 x %2 stitches, about %3 x %4 cm, %n colour(s)", nullptr,
-                        static_cast<int>(m_cells->colours.size()))
-                         .arg(m_cells->wales)
-                         .arg(m_cells->courses)
-                         .arg(wide, 0, 'f', 1)
-                         .arg(high, 0, 'f', 1));
+    showWords();
     showPreview();
+}
+
+void PictureDialog::showWords() {
+    const int wales = m_wales->value();
+    const int courses = m_courses->value();
+    const QString size = tr("%1 x %2 stitches, about %3 x %4 cm.")
+                             .arg(wales)
+                             .arg(courses)
+                             .arg(10 * wales / m_walesPer10->value(), 0, 'f', 1)
+                             .arg(10 * courses / m_coursesPer10->value(), 0, 'f', 1);
+    const bool fewer =
+        m_cells && !usesOwnYarns() && static_cast<int>(m_cells->colours.size()) < m_count->value();
+    m_words->setText(fewer ? size + u' ' +
+                                 tr("The picture has no more colours than %1.").arg(m_cells->colours.size())
+                           : size);
 }
 
 /// In the proportions of the fabric.

@@ -45,6 +45,7 @@ private:
     void keepProportions();
     void work();
     void takeCells(std::optional<pattern::PictureCells> cells);
+    void showWords();
     void showPreview();
     double stitchAspect() const; ///< height of a stitch over its width
     bool usesOwnYarns() const;
@@ -54,6 +55,7 @@ private:
     std::shared_ptr<document::Mailbox> m_mailbox;
     std::shared_ptr<std::atomic<int>> m_round; ///< the newest work; older work ends
     std::shared_ptr<const pattern::Picture> m_picture;
+    pattern::PictureOptions m_options;            ///< of m_cells, or of what is worked out
     std::optional<pattern::PictureCells> m_cells; ///< of what is chosen; nothing while it is worked out
     QImage m_preview;                             ///< a pixel for each stitch, of the last cells
 

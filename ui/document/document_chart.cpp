@@ -36,6 +36,7 @@ void Document::exchangeProgram(const std::shared_ptr<const OpenedFile>& file,
     emit chartChanged();
     emit chartFollowed();
     emit problemsChanged();
+    start();
 }
 
 void Document::editChart(const QString& text, const std::function<void(pattern::Chart&)>& edit) {

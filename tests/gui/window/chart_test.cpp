@@ -11,11 +11,13 @@
 #include "ui/window/main_window.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QClipboard>
 #include <QDialog>
 #include <QDir>
 #include <QFile>
 #include <QGuiApplication>
+#include <QInputDialog>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
@@ -130,6 +132,8 @@ private slots:
         QVERIFY(!make->isEnabled()); // until it is worked out
         QTRY_VERIFY(make->isEnabled());
         QCOMPARE(dialog.findChild<QSpinBox*>(QStringLiteral("pictureCourses"))->value(), 40); // 60 to 80
+        QTest::keyClick(dialog.findChild<QSpinBox*>(QStringLiteral("pictureWales")), Qt::Key_Return);
+        QCOMPARE(dialog.result(), int(QDialog::Accepted));
         const pattern::Chart chart = dialog.chart();
         QCOMPARE(chart.width, 30);
         QCOMPARE(chart.height(), 40);
@@ -137,6 +141,30 @@ private slots:
         QCOMPARE(chart.yarns[1].colour, (yarn::Colour{180, 20, 40}));
         QCOMPARE(int(chart.at(5, 0).yarn), 0);
         QCOMPARE(int(chart.at(5, 39).yarn), 1);
+    }
+
+    void aSelectionIsSavedAsAModuleAndStandsInTheCatalogue() {
+        qputenv("KNITTSIM_MODULES", m_folder.filePath(QStringLiteral("modules")).toUtf8());
+        newChart(12, 10);
+        stroke({1, 2}, {3, 2});
+        child<QAction>("actionChartAll")->trigger();
+        QTimer::singleShot(0, this, [] {
+            auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+            dialog->setTextValue(QStringLiteral("Three purls"));
+            dialog->accept();
+        });
+        child<QAction>("actionChartSaveModule")->trigger();
+        auto* catalogue = m_window->findChild<QMenu*>(QStringLiteral("catalogue"));
+        child<QAction>("actionChartStamp")->trigger();
+        auto* list = catalogue->findChild<QListWidget*>(QStringLiteral("catalogueList"));
+        QTRY_VERIFY(!list->findItems(QStringLiteral("Three purls"), Qt::MatchExactly).isEmpty());
+        QListWidgetItem* item = list->findItems(QStringLiteral("Three purls"), Qt::MatchExactly).front();
+        document().undoStack()->undo();
+        QCOMPARE(chart().at(2, 2).stitch, Stitch::Knit);
+        emit list->itemClicked(item);
+        stroke({0, 0}, {0, 0});
+        QCOMPARE(chart().at(2, 2).stitch, Stitch::Purl);
+        qunsetenv("KNITTSIM_MODULES");
     }
 
     void aFileThatIsNoPictureIsRefusedInWords() {
