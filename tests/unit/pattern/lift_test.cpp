@@ -1,3 +1,4 @@
+#include "core/base/file.h"
 #include "core/formats/knitout/reader.h"
 #include "core/pattern/catalogue.h"
 #include "core/pattern/chart_edit.h"
@@ -242,6 +243,21 @@ TEST(Lift, CarriersThatTheMachineHasNotGetOthersAndAWord) {
     EXPECT_EQ(back.notes[0].id, "KS0513");
     EXPECT_EQ(back.project.chart.yarns[0].carrier, machine::genericProfile().carriers[0]);
     compiled(back.project.chart, optionsFor(back.project));
+}
+
+TEST(Lift, FilesOfEveryKindBecomeProjects) {
+    const std::filesystem::path patterns =
+        std::filesystem::path(KNITTSIM_SOURCE_DIR) / "resources" / "patterns";
+    const auto lace = readAnyProject(patterns / "lace.k");
+    ASSERT_TRUE(lace);
+    EXPECT_EQ(plainWords(lace.value().chart).courses, plainWords(sampleChart("lace")).courses);
+    const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "lifted_lace.knitt";
+    ASSERT_TRUE(writeFileAtomically(file, writeProject(lace.value())));
+    const auto again = readAnyProject(file);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again.value(), lace.value());
+    std::filesystem::remove(file);
+    EXPECT_EQ(readAnyProject(patterns / "missing.k").diagnostics()[0].id, "KS0001");
 }
 
 TEST(Lift, RealProgramsComeBackAsTheyAre) {
