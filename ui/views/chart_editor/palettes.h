@@ -53,7 +53,7 @@ private:
 };
 
 /// The catalogue and the modules that the person saved as pictures; the latter can be renamed (F2) and
-/// deleted (Del), also from their context menu.
+/// deleted (Ctrl+Del), also from their context menu.
 class CataloguePopup : public QMenu {
     Q_OBJECT
 
