@@ -232,6 +232,18 @@ constexpr auto kMessages = std::to_array<Message>({
      "Move the loop to a neighbour or let the wale rest."},
     {"KS0509", "project-too-new", "The project has version {0}, this program knows up to {1}.",
      "Open it with a newer KnittSim."},
+    {"KS0510", "lift-size", "The program has {0}, a chart has at most {1}.", "Look at it as machine data."},
+    {"KS0511", "lift-kept", "{0} of {1} courses do what stitches cannot say: {2}.",
+     "They are kept as in the program; cells that you change are knitted as the chart says."},
+    {"KS0512", "lift-nothing", "The program works no needle, so there is nothing to draw.",
+     "Choose another file."},
+    {"KS0513", "lift-carrier", "The machine has no carrier '{0}': carrier '{1}' takes its yarn.",
+     "Choose the machine that the program was made for."},
+    {"KS0514", "lift-yarns", "The program uses {0} carriers, a chart has at most {1} yarns.",
+     "Look at it as machine data."},
+    {"KS0515", "lift-carriers", "No carrier of {1} is left for the yarn of carrier '{0}'.",
+     "Choose the machine that the program was made for."},
+    {"KS0516", "module-name", "A module cannot be called '{0}': {1}.", "Choose another name."},
 });
 
 static_assert(std::is_sorted(kMessages.begin(), kMessages.end(),

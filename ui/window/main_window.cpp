@@ -125,6 +125,7 @@ void MainWindow::connectDocument() {
     connect(&m_document, &Document::saved, this, &MainWindow::takeTitle);
     connect(m_document.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::takeTitle);
     connect(&m_document, &Document::openFailed, this, &MainWindow::takeFailure);
+    connect(&m_document, &Document::lifted, this, &MainWindow::takeLifted);
     connect(&m_document, &Document::problemsChanged, this, &MainWindow::takeProblems);
     connect(&m_document, &Document::fabricShown, this, &MainWindow::takeFabric);
     connect(&m_document, &Document::activityChanged, this, &MainWindow::takeActions);
@@ -255,7 +256,8 @@ void MainWindow::takeFailure() {
     m_leftover.reset(); // the banner speaks of something else now
     const auto failed = m_document.failedFile();
     const Diagnostics& problems = failed->diagnostics;
-    QString text = tr("%1 could not be opened.").arg(failed->request.title);
+    QString text = (failed->request.asChart ? tr("%1 cannot become a chart.") : tr("%1 could not be opened."))
+                       .arg(failed->request.title);
     if (!problems.empty()) {
         text += u' ' + document::causeText(problems.front());
     }

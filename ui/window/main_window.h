@@ -84,6 +84,9 @@ private:
     // main_window_chart.cpp
     void buildChartMenu();
     void takeChart();
+    void takeLifted();
+    void choosePicture();
+    void importPicture(const QString& path);
     void takeTitle();
     void newChart();
     bool saveChart();

@@ -96,6 +96,8 @@ void MainWindow::buildFileMenu() {
     }
     addAction(menu, "actionGallery", tr("Sample &gallery"), QKeySequence(tr("Ctrl+Shift+O")), {},
               [this] { showGallery(); });
+    addAction(menu, "actionImportPicture", tr("&Import a picture\u2026"), QKeySequence(tr("Ctrl+Alt+I")),
+              {}, [this] { choosePicture(); });
     menu->addSeparator();
     addAction(menu, "actionSave", tr("&Save"), QKeySequence::Save, "save", [this] { saveChart(); });
     addAction(menu, "actionSaveAs", tr("Save &as\u2026"), QKeySequence(tr("Ctrl+Shift+S")), {},
