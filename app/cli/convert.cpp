@@ -2,6 +2,7 @@
 #include "core/base/file.h"
 #include "core/base/message_table.h"
 #include "core/formats/formats.h"
+#include "core/pattern/lift.h"
 #include "core/pattern/project.h"
 
 #include <fmt/core.h>
@@ -26,7 +27,19 @@ template<class T> bool printAndTest(const Result<T>& result) {
     return result.hasValue();
 }
 
+/// The chart of a program; one that is a chart already keeps all that it is.
+int convertToChart(const ConvertOptions& options) {
+    Result<pattern::Project> project = pattern::readAnyProject(options.input);
+    return printAndTest(project) &&
+                   printAndTest(writeFileAtomically(options.output, pattern::writeProject(project.value())))
+               ? kFine
+               : kUnusable;
+}
+
 int runConvert(const ConvertOptions& options) {
+    if (pattern::isProjectFile(options.output)) {
+        return convertToChart(options);
+    }
     const auto program = pattern::readAnyProgram(options.input);
     if (!printAndTest(program)) {
         return kUnusable;
@@ -42,10 +55,11 @@ int runConvert(const ConvertOptions& options) {
 
 void addConvert(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<ConvertOptions>();
-    CLI::App* command =
-        app.add_subcommand("convert", "Write a program in another machine format, by extension");
-    command->add_option("input", options->input, "machine file to read")->required();
-    command->add_option("output", options->output, "file to write: .k, .knitout, .dat or .kc")->required();
+    CLI::App* command = app.add_subcommand(
+        "convert", "Write a program in another machine format or as a chart, by extension");
+    command->add_option("input", options->input, "machine file or chart to read")->required();
+    command->add_option("output", options->output, "file to write: .k, .knitout, .dat, .kc or .knitt")
+        ->required();
     command->callback([&chosen, options] { chosen = [options] { return runConvert(*options); }; });
 }
 

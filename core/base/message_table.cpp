@@ -212,6 +212,7 @@ constexpr auto kMessages = std::to_array<Message>({
     {"KS0403", "shader", "A shader does not build: {0}", "Check the folder resources/shaders."},
     {"KS0404", "no-picture", "The picture cannot be made: {0}.", "Choose a smaller size or a smaller part."},
     {"KS0405", "not-png", "The file is not a PNG picture: {0}.", "Choose another file."},
+    {"KS0406", "not-settled", "The fabric cannot be settled as yarn: {0}.", "Settle bonding points instead."},
 
     {"KS0501", "chart-size", "The chart has {0} wales, {1} courses and {2} cells.",
      "Give every course one cell for each wale."},
@@ -231,6 +232,18 @@ constexpr auto kMessages = std::to_array<Message>({
      "Move the loop to a neighbour or let the wale rest."},
     {"KS0509", "project-too-new", "The project has version {0}, this program knows up to {1}.",
      "Open it with a newer KnittSim."},
+    {"KS0510", "lift-size", "The program has {0}, a chart has at most {1}.", "Look at it as machine data."},
+    {"KS0511", "lift-kept", "{0} of {1} courses do what stitches cannot say: {2}.",
+     "They are kept as in the program; cells that you change are knitted as the chart says."},
+    {"KS0512", "lift-nothing", "The program works no needle, so there is nothing to draw.",
+     "Choose another file."},
+    {"KS0513", "lift-carrier", "The machine has no carrier '{0}': carrier '{1}' takes its yarn.",
+     "Choose the machine that the program was made for."},
+    {"KS0514", "lift-yarns", "The program uses {0} carriers, a chart has at most {1} yarns.",
+     "Look at it as machine data."},
+    {"KS0515", "lift-carriers", "No carrier of {1} is left for the yarn of carrier '{0}'.",
+     "Choose the machine that the program was made for."},
+    {"KS0516", "module-name", "A module cannot be called '{0}': {1}.", "Choose another name."},
 });
 
 static_assert(std::is_sorted(kMessages.begin(), kMessages.end(),

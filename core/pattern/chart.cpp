@@ -1,5 +1,7 @@
 #include "core/pattern/chart.h"
 
+#include "core/pattern/program_course.h"
+
 #include <algorithm>
 
 namespace knittsim::pattern {
@@ -8,6 +10,12 @@ Chart::Chart(int wales, int courseCount, Stitch stitch)
     : width(wales),
       cells(static_cast<std::size_t>(wales) * static_cast<std::size_t>(courseCount), Cell{stitch, 0}),
       courses(static_cast<std::size_t>(courseCount)) {}
+
+bool Course::operator==(const Course& other) const {
+    return moves == other.moves && colours == other.colours && rack == other.rack &&
+           stitchNumber == other.stitchNumber &&
+           (program == other.program || (program && other.program && *program == *other.program));
+}
 
 namespace {
 
@@ -24,7 +32,8 @@ void checkCells(const Chart& chart, int course, Diagnostics& problems) {
                 {std::to_string(wale), std::to_string(cell.yarn), std::to_string(chart.yarns.size())}));
             return;
         }
-        if (cell.stitch == Stitch::Both && chart.beds == BedUse::Single) {
+        if (cell.stitch == Stitch::Both && chart.beds == BedUse::Single &&
+            !isAsInProgram(chart, wale, course)) {
             problems.push_back(problem("KS0504", course, {"a stitch on both beds", "two beds"}));
             return;
         }
@@ -33,7 +42,7 @@ void checkCells(const Chart& chart, int course, Diagnostics& problems) {
 
 void checkMoves(const Chart& chart, int course, Diagnostics& problems) {
     const std::vector<LoopMove>& moves = chart.course(course).moves;
-    if (!moves.empty() && chart.beds == BedUse::Double) {
+    if (!addedMoves(chart.course(course)).empty() && chart.beds == BedUse::Double) {
         problems.push_back(problem("KS0504", course, {"a moved loop", "one bed"}));
     }
     std::vector<bool> moved(static_cast<std::size_t>(chart.width), false);

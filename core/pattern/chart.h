@@ -4,6 +4,7 @@
 #include "core/yarn/yarn.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,8 @@ enum class ColourMethod : std::uint8_t {
     Intarsia, ///< every yarn stays in its zone and tucks on the first wale of the next zone
 };
 
+struct ProgramCourse;
+
 struct Course {
     /// Done at once before the course is knitted. Of two loops that cross, the one listed first lies in
     /// front.
@@ -53,8 +56,11 @@ struct Course {
     ColourMethod colours = ColourMethod::Float;
     int rack = 0;                       ///< pitches; BedUse::Double only. A quarter is added for Stitch::Both
     std::optional<double> stitchNumber; ///< from this course on; nothing: as before
+    /// How a program from outside knits this course, where a chart cannot say it (program_course.h); else
+    /// null.
+    std::shared_ptr<const ProgramCourse> program = {};
 
-    bool operator==(const Course&) const = default;
+    bool operator==(const Course& other) const; ///< of values, not of pointers
 };
 
 struct ChartYarn {
@@ -100,6 +106,7 @@ private:
 /// Largest width and height of a chart.
 constexpr int kMaxWales = 2000;
 constexpr int kMaxCourses = 20'000;
+constexpr std::size_t kMaxChartYarns = 36; ///< as many as a project file can tell apart
 
 /// What is wrong with the chart itself, whatever the machine: KS0501 to KS0504.
 Diagnostics check(const Chart& chart);

@@ -1,5 +1,7 @@
 #include "core/pattern/chart_edit.h"
 
+#include "core/pattern/program_course.h"
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -23,10 +25,12 @@ void dropMoves(Chart& chart, CellRange range) {
     }
 }
 
-/// A part of a course's settings that belongs to a copied course.
+/// A part of a course's settings that belongs to a copied course: what a program does on its own needles does
+/// not.
 Course withMoves(const Course& course, std::vector<LoopMove> moves) {
     Course copy = course;
     copy.moves = std::move(moves);
+    copy.program = nullptr;
     return copy;
 }
 
@@ -279,6 +283,9 @@ void insertWales(Chart& chart, int wale, int count) {
             move.from += move.from >= wale ? count : 0;
             move.to += move.to >= wale ? count : 0;
         }
+        if (const auto& program = chart.course(c).program) {
+            chart.course(c).program = withWales(*program, wale, count);
+        }
     }
     chart.cells = std::move(cells);
     chart.width += count;
@@ -299,6 +306,9 @@ void removeWales(Chart& chart, int wale, int count) {
         for (LoopMove& move : chart.course(c).moves) {
             move.from -= move.from >= wale ? count : 0;
             move.to -= move.to >= wale ? count : 0;
+        }
+        if (const auto& program = chart.course(c).program) {
+            chart.course(c).program = withoutWales(*program, wale, count);
         }
     }
     chart.cells = std::move(cells);

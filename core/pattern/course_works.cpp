@@ -32,6 +32,12 @@ void addWorks(std::vector<Work>& works, Stitch stitch, int wale, Bed loopBed) {
 
 } // namespace
 
+std::vector<Work> worksOf(const Cell& cell, int wale, Bed loopBed) {
+    std::vector<Work> works;
+    addWorks(works, cell.stitch, wale, loopBed);
+    return works;
+}
+
 std::vector<int> yarnsOf(const Chart& chart, int course) {
     std::vector<bool> used(chart.yarns.size(), false);
     for (int wale = 0; wale < chart.width; ++wale) {

@@ -22,6 +22,9 @@ std::vector<int> yarnsOf(const Chart& chart, int course);
 double rackOf(const Chart& chart, int course);
 bool worksBothBeds(const Chart& chart, int course);
 
+/// What one cell asks for; tucks and misses on `loopBed`.
+std::vector<Work> worksOf(const Cell& cell, int wale, machine::Bed loopBed);
+
 /// Work of one yarn from left to right.
 std::vector<Work> worksOf(const Chart& chart, int course, int yarn, const HeldLoops& held);
 

@@ -40,12 +40,8 @@ void Feeds::pass(int yarn, std::vector<Work> works, ProgramBuilder& builder) {
     if (works.empty()) {
         return;
     }
+    bring(yarn, true, builder);
     Feed& feed = at(yarn);
-    if (!feed.in) {
-        feed.in = true;
-        feed.onHook = m_hook;
-        builder.carrier(m_hook ? OperationKind::InHook : OperationKind::In, feed.carrier);
-    }
     if (feed.next == Direction::Left) {
         std::ranges::reverse(works);
     }
@@ -63,13 +59,51 @@ void Feeds::release(int yarn, ProgramBuilder& builder) {
     }
 }
 
-void Feeds::takeOut(int course, ProgramBuilder& builder) {
-    for (Feed& feed : m_feeds) {
-        if (feed.in && feed.lastCourse == course) {
-            feed.in = false;
-            builder.carrier(m_hook ? OperationKind::OutHook : OperationKind::Out, feed.carrier);
+void Feeds::takeOut(int course, ProgramBuilder& builder, const std::vector<int>& kept) {
+    for (int yarn = 0; yarn < count(); ++yarn) {
+        if (at(yarn).lastCourse == course && std::ranges::find(kept, yarn) == kept.end()) {
+            bring(yarn, false, builder);
         }
     }
+}
+
+void Feeds::bring(int yarn, bool in, ProgramBuilder& builder) {
+    Feed& feed = at(yarn);
+    if (feed.in == in) {
+        return;
+    }
+    feed.in = in;
+    feed.onHook = in && m_hook;
+    const auto kind = in ? (m_hook ? OperationKind::InHook : OperationKind::In)
+                         : (m_hook ? OperationKind::OutHook : OperationKind::Out);
+    builder.carrier(kind, feed.carrier);
+}
+
+void Feeds::follow(const machine::Operation& operation) {
+    const OperationKind kind = operation.kind;
+    for (const CarrierIndex yarn : operation.carriers) {
+        Feed& feed = at(yarn);
+        if (kind == OperationKind::In || kind == OperationKind::InHook || kind == OperationKind::YarnIn) {
+            feed.in = true;
+            feed.onHook = kind == OperationKind::InHook;
+        } else if (kind == OperationKind::Out || kind == OperationKind::OutHook ||
+                   kind == OperationKind::YarnOut) {
+            feed.in = false;
+            feed.onHook = false;
+        } else if (kind == OperationKind::ReleaseHook) {
+            feed.onHook = false;
+        } else if (machine::carriesYarn(kind)) {
+            feed.next = opposite(operation.direction);
+        }
+    }
+}
+
+machine::CarrierSet Feeds::carriersOf(const machine::CarrierSet& yarns) const {
+    machine::CarrierSet carriers;
+    for (const CarrierIndex yarn : yarns) {
+        carriers.push(at(yarn).carrier);
+    }
+    return carriers;
 }
 
 } // namespace knittsim::pattern

@@ -24,8 +24,17 @@ public:
     void pass(int yarn, std::vector<Work> works, ProgramBuilder& builder);
     /// Frees the inserting hook where the yarn still hangs in it.
     void release(int yarn, ProgramBuilder& builder);
-    /// Takes out the yarns whose last course this was.
-    void takeOut(int course, ProgramBuilder& builder);
+    /// Takes out the yarns whose last course this was, but for `kept`.
+    void takeOut(int course, ProgramBuilder& builder, const std::vector<int>& kept = {});
+
+    /// Remembers what an operation does; its carriers are yarns of the chart.
+    void follow(const machine::Operation& operation);
+    bool isIn(int yarn) const { return at(yarn).in; }
+    /// Takes a yarn in or out where it is not so already.
+    void bring(int yarn, bool in, ProgramBuilder& builder);
+    int count() const { return static_cast<int>(m_feeds.size()); }
+    /// Carriers of the machine for yarns of the chart.
+    machine::CarrierSet carriersOf(const machine::CarrierSet& yarns) const;
 
 private:
     struct Feed {

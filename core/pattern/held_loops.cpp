@@ -5,6 +5,7 @@
 namespace knittsim::pattern {
 
 using machine::Bed;
+using machine::Needle;
 
 HeldLoops::HeldLoops(int wales) {
     for (std::vector<bool>& needles : m_rows) {
@@ -14,6 +15,40 @@ HeldLoops::HeldLoops(int wales) {
 
 Bed HeldLoops::bedOf(int wale) const {
     return !has(Bed::Front, wale) && has(Bed::Rear, wale) ? Bed::Rear : Bed::Front;
+}
+
+void HeldLoops::set(Needle needle, bool held) {
+    if (needle.index >= 0 && needle.index < static_cast<int>(row(needle.bed).size())) {
+        row(needle.bed)[static_cast<std::size_t>(needle.index)] = held;
+    }
+}
+
+void HeldLoops::apply(const machine::Operation& operation) {
+    using machine::OperationKind;
+    const auto moveOn = [&] {
+        const auto at = static_cast<std::size_t>(operation.needle.index);
+        const std::vector<bool>& from = row(operation.needle.bed);
+        if (at < from.size() && from[at]) {
+            set(operation.needle, false);
+            set(operation.target, true);
+        }
+    };
+    if (operation.kind == OperationKind::Xfer || operation.kind == OperationKind::Split) {
+        moveOn();
+    }
+    if (machine::makesLoop(operation.kind)) {
+        set(operation.needle, true);
+    } else if (operation.kind == OperationKind::Drop) {
+        set(operation.needle, false);
+    }
+}
+
+std::uint8_t HeldLoops::bedsOf(int wale) const {
+    unsigned beds = 0;
+    for (std::size_t bed = 0; bed < m_rows.size(); ++bed) {
+        beds |= m_rows[bed][static_cast<std::size_t>(wale)] ? 1U << bed : 0U;
+    }
+    return static_cast<std::uint8_t>(beds);
 }
 
 void HeldLoops::toBed(int wale, Bed bed, ProgramBuilder& builder) {

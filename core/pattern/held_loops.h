@@ -20,6 +20,10 @@ public:
     machine::Bed bedOf(int wale) const;
 
     void add(machine::Needle needle) { row(needle.bed)[static_cast<std::size_t>(needle.index)] = true; }
+    /// What an operation of any kind does; needles outside of the wales hold nothing.
+    void apply(const machine::Operation& operation);
+    /// Bit 1 << Bed for each bed that holds loops of the wale.
+    std::uint8_t bedsOf(int wale) const;
 
     /// Transfers the loops of the facing needle, if any, to this bed at racking 0.
     void toBed(int wale, machine::Bed bed, ProgramBuilder& builder);
@@ -31,7 +35,9 @@ private:
     std::vector<bool>& row(machine::Bed bed) { return m_rows[static_cast<std::size_t>(bed)]; }
     const std::vector<bool>& row(machine::Bed bed) const { return m_rows[static_cast<std::size_t>(bed)]; }
 
-    std::array<std::vector<bool>, 2> m_rows; ///< by Bed (front, rear) and wale
+    void set(machine::Needle needle, bool held);
+
+    std::array<std::vector<bool>, machine::kBedCount> m_rows; ///< by Bed and wale
 };
 
 } // namespace knittsim::pattern

@@ -54,6 +54,29 @@ void ProgramBuilder::transfer(Needle from, Needle to) {
     operation.target = placed(to);
 }
 
+void ProgramBuilder::append(Operation operation, const machine::CarrierSet& carriers,
+                            const std::string& text) {
+    if (operation.kind == OperationKind::Rack) {
+        rack(operation.value);
+        return;
+    }
+    if (operation.kind == OperationKind::StitchNumber) {
+        stitchNumber(operation.value);
+        return;
+    }
+    operation.needle = placed(operation.needle);
+    operation.target = placed(operation.target);
+    operation.carriers = carriers;
+    if (operation.text >= 0) {
+        operation.text = static_cast<std::int32_t>(m_program.texts.size());
+        m_program.texts.push_back(text);
+    }
+    if (operation.kind == OperationKind::StitchSize) {
+        m_stitchNumber = -1;
+    }
+    m_program.operations.push_back(operation);
+}
+
 void ProgramBuilder::drop(Needle needle) {
     add(OperationKind::Drop).needle = placed(needle);
 }

@@ -22,6 +22,19 @@ public:
               machine::CarrierIndex carrier);
     void transfer(machine::Needle from, machine::Needle to);
     void drop(machine::Needle needle);
+    /// Any operation, with its text; `carriers` are those of the machine.
+    void append(machine::Operation operation, const machine::CarrierSet& carriers, const std::string& text);
+
+    /// What a rewound program goes on from.
+    struct Setting {
+        double rack = 0;
+        double stitchNumber = -1;
+    };
+    Setting setting() const { return {m_rack, m_stitchNumber}; }
+    void rewind(const Setting& setting) {
+        m_rack = setting.rack;
+        m_stitchNumber = setting.stitchNumber;
+    }
 
 private:
     machine::Operation& add(machine::OperationKind kind);

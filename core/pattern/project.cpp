@@ -3,13 +3,15 @@
 #include "core/base/file.h"
 #include "core/base/json_reader.h"
 #include "core/formats/formats.h"
+#include "core/machine/emulator.h"
+#include "core/pattern/cell_letters.h"
+#include "core/pattern/program_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <fstream>
+#include <span>
 
 namespace knittsim::pattern {
 
@@ -18,52 +20,18 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMaxProjectBytes = std::size_t{256} << 20;
-constexpr std::size_t kMaxYarns = 36;
 constexpr std::string_view kThumbnailKey = "\"thumbnail\": \"";
 constexpr std::size_t kMaxThumbnail = 96 * 1024; ///< it stands at the start of the file
-
-struct Letter {
-    Stitch stitch;
-    char letter;
-};
-constexpr std::array kLetters{Letter{Stitch::Knit, 'k'}, Letter{Stitch::Purl, 'p'}, Letter{Stitch::Both, 'b'},
-                              Letter{Stitch::Tuck, 't'}, Letter{Stitch::Miss, 'm'}, Letter{Stitch::Rest, 'r'},
-                              Letter{Stitch::Empty, '.'}};
-
-char letterOf(Stitch stitch) {
-    return std::ranges::find(kLetters, stitch, &Letter::stitch)->letter;
-}
-
-char digitOf(std::uint8_t yarn) {
-    return static_cast<char>(yarn < 10 ? '0' + yarn : 'a' + (yarn - 10));
-}
-
-/// Of what stands in a file; kMaxYarns for anything else.
-std::size_t yarnOf(char digit) {
-    return digit >= '0' && digit <= '9'   ? static_cast<std::size_t>(digit - '0')
-           : digit >= 'a' && digit <= 'z' ? static_cast<std::size_t>(digit - 'a') + 10
-                                          : kMaxYarns;
-}
 
 /// One course, on one line.
 std::string courseText(const Chart& chart, int c) {
     const Course& course = chart.course(c);
-    std::string stitches;
-    std::string yarns;
-    for (int w = 0; w < chart.width; ++w) {
-        stitches += letterOf(chart.at(w, c).stitch);
-        yarns += digitOf(chart.at(w, c).yarn);
-    }
-    if (yarns.find_first_not_of(yarns[0]) == std::string::npos) {
-        yarns.resize(1);
-    }
-    std::string text = fmt::format(R"({{"stitches": "{}", "yarns": "{}")", stitches, yarns);
+    const std::span<const Cell> cells(chart.cells.data() + std::ptrdiff_t{c} * chart.width,
+                                      static_cast<std::size_t>(chart.width));
+    std::string text =
+        fmt::format(R"({{"stitches": "{}", "yarns": "{}")", stitchLetters(cells), yarnDigits(cells));
     if (!course.moves.empty()) {
-        text += ", \"moves\": [";
-        for (std::size_t i = 0; i < course.moves.size(); ++i) {
-            text += fmt::format("{}[{}, {}]", i > 0 ? ", " : "", course.moves[i].from, course.moves[i].to);
-        }
-        text += ']';
+        text += ", \"moves\": " + movesText(course.moves);
     }
     if (course.colours == ColourMethod::Intarsia) {
         text += R"(, "colours": "intarsia")";
@@ -73,6 +41,9 @@ std::string courseText(const Chart& chart, int c) {
     }
     if (course.stitchNumber) {
         text += fmt::format(", \"stitch\": {}", *course.stitchNumber);
+    }
+    if (course.program) {
+        text += ", \"program\": " + programText(*course.program);
     }
     return text + '}';
 }
@@ -98,6 +69,10 @@ public:
             m_reader.choice("ending", {"held", "dropped"}) == "dropped" ? Ending::Dropped : Ending::Held;
         const bool both = m_reader.choice("beds", {"single", "double"}) == "double";
         const int wales = m_reader.integer("wales", 1, kMaxWales);
+        if (m_reader.has("first_needle")) {
+            m_project.firstNeedle =
+                m_reader.integer("first_needle", -machine::kMaxNeedleIndex, machine::kMaxNeedleIndex);
+        }
         readYarns();
         m_project.colourways = readColourways(m_reader, m_name, m_problems);
         m_reader.optionalText("thumbnail"); // for readThumbnail()
@@ -132,7 +107,7 @@ private:
     }
 
     void readYarns() {
-        const std::vector<json> yarns = m_reader.array("yarns", 1, kMaxYarns);
+        const std::vector<json> yarns = m_reader.array("yarns", 1, kMaxChartYarns);
         for (std::size_t i = 0; i < yarns.size(); ++i) {
             JsonReader reader(yarns[i], m_name, m_problems, fmt::format("yarns[{}]", i));
             m_project.chart.yarns.push_back(readChartYarn(reader));
@@ -142,29 +117,10 @@ private:
     void readCourse(const json& value, int c) {
         Chart& chart = m_project.chart;
         JsonReader reader(value, m_name, m_problems, fmt::format("courses[{}]", c));
-        const std::string stitches = reader.text("stitches");
-        std::string yarns = reader.text("yarns");
-        if (yarns.size() == 1) {
-            yarns.assign(static_cast<std::size_t>(chart.width), yarns[0]);
-        }
-        const std::string expected = fmt::format("{} letters", chart.width);
-        for (const auto& [key, text] : {std::pair{"stitches", &stitches}, {"yarns", &yarns}}) {
-            if (text->size() != static_cast<std::size_t>(chart.width)) {
-                reader.report(key, fmt::format("a text of {} letters", text->size()), expected);
-                return;
-            }
-        }
-        for (int w = 0; w < chart.width; ++w) {
-            const auto at = static_cast<std::size_t>(w);
-            const auto letter = std::ranges::find(kLetters, stitches[at], &Letter::letter);
-            const std::size_t yarn = yarnOf(yarns[at]);
-            if (letter == kLetters.end() || yarn == kMaxYarns) {
-                reader.report(letter == kLetters.end() ? "stitches" : "yarns",
-                              fmt::format("another letter at wale {}", w),
-                              letter == kLetters.end() ? "k, p, b, t, m, r or ." : "0 to 9 or a to z");
-                return;
-            }
-            chart.at(w, c) = {letter->stitch, static_cast<std::uint8_t>(yarn)};
+        const std::span<Cell> cells(chart.cells.data() + std::ptrdiff_t{c} * chart.width,
+                                    static_cast<std::size_t>(chart.width));
+        if (!readCells(reader, cells)) {
+            return;
         }
         readSettings(reader, c);
         reader.rejectUnknownKeys();
@@ -172,22 +128,7 @@ private:
 
     void readSettings(JsonReader& reader, int c) {
         Course& course = m_project.chart.course(c);
-        if (reader.has("moves")) {
-            for (const json& move : reader.array("moves", 0, kMaxWales)) {
-                if (!move.is_array() || move.size() != 2 || !move[0].is_number_integer() ||
-                    !move[1].is_number_integer()) {
-                    reader.report("moves",
-                                  move.dump(-1, ' ', true, json::error_handler_t::replace).substr(0, 40),
-                                  "a pair of wales");
-                    return;
-                }
-                // Far outside is as wrong as just outside, and fits.
-                const auto wale = [](const json& v) {
-                    return static_cast<int>(std::clamp<std::int64_t>(v.get<std::int64_t>(), -1, kMaxWales));
-                };
-                course.moves.push_back({wale(move[0]), wale(move[1])});
-            }
-        }
+        course.moves = readMoves(reader);
         if (reader.has("colours") && reader.choice("colours", {"float", "intarsia"}) == "intarsia") {
             course.colours = ColourMethod::Intarsia;
         }
@@ -196,6 +137,10 @@ private:
         }
         if (reader.has("stitch")) {
             course.stitchNumber = reader.number("stitch", 0, 1e6);
+        }
+        if (reader.has("program")) {
+            JsonReader program = reader.object("program");
+            course.program = readProgramCourse(program, m_project.chart);
         }
     }
 
@@ -220,6 +165,9 @@ std::string writeProject(const Project& project, std::string_view thumbnail) {
                         project.castOn == CastOn::Open ? "open" : "alternating",
                         project.ending == Ending::Dropped ? "dropped" : "held",
                         chart.beds == BedUse::Double ? "double" : "single", chart.width);
+    if (project.firstNeedle != kFirstNeedle) {
+        text += fmt::format("\"first_needle\": {},\n", project.firstNeedle);
+    }
     text += "\"yarns\": [";
     for (std::size_t i = 0; i < chart.yarns.size(); ++i) {
         text += fmt::format("{}\n{}", i > 0 ? "," : "", yarnText(chart.yarns[i]));
@@ -268,6 +216,7 @@ CompileOptions optionsOf(const Project& project, const machine::ProfileLibrary& 
     auto machine = machine::chooseProfile(named, machines);
     return {.castOn = project.castOn,
             .ending = project.ending,
+            .firstNeedle = project.firstNeedle,
             .machine = machine ? std::move(machine).value() : machine::genericProfile()};
 }
 

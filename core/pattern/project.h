@@ -16,7 +16,8 @@ struct Project {
     Chart chart;
     CastOn castOn = CastOn::Alternating;
     Ending ending = Ending::Held;
-    std::string machine; ///< id of a machine profile; empty: generic
+    std::string machine;            ///< id of a machine profile; empty: generic
+    int firstNeedle = kFirstNeedle; ///< of wale 0
     Colourways colourways = {};
 
     bool operator==(const Project&) const = default;
@@ -31,6 +32,7 @@ struct Project {
 ///     ending     "held" or "dropped"
 ///     beds       "single" or "double"
 ///     wales      number of wales
+///     first_needle  of wale 0; missing: 1
 ///     yarns      list of {carrier, colour "#rrggbb", library_id}
 ///     colourway  which of the colourways the yarns are, from 0; missing with these (since version 2)
 ///     colourways list of {name, yarns as above}, may be missing (since version 2)
@@ -42,6 +44,13 @@ struct Project {
 ///         colours    "float" or "intarsia"; missing: float
 ///         rack       pitches; missing: 0
 ///         stitch     stitch number from here on; may be missing
+///         program    how a program from outside knits the course (ProgramCourse); may be missing
+///             stitches, yarns, moves  what it makes, as above
+///             loops       a hexadecimal digit for each wale: 1 front, 2 rear, 4 and 8 the sliders hold loops
+///                         before
+///             in          digits of the yarns in action before
+///             rack        before
+///             operations  lines of knitout; needles are wales, carriers the digits of yarns
 ///
 /// Files of version 1 have neither thumbnail nor colourways.
 constexpr int kProjectVersion = 2;

@@ -1,6 +1,7 @@
 #include "ui/document/document.h"
 
 #include "core/base/resources.h"
+#include "ui/document/lift_command.h"
 #include "ui/document/session.h"
 #include "ui/document/yarn_command.h"
 
@@ -128,7 +129,10 @@ void Document::cancelOpening() {
 
 void Document::take(const std::shared_ptr<const OpenedFile>& file) {
     emit openingEnded();
-    if (file->readable()) {
+    if (file->readable() && file->request.asChart) {
+        m_undo.push(new LiftCommand(*this, file));
+        emit lifted();
+    } else if (file->readable()) {
         show(file);
     } else {
         m_failed = file;

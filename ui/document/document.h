@@ -58,6 +58,9 @@ public:
     /// `modified`: it has changes that are nowhere saved.
     void openProject(const QString& title, std::shared_ptr<const pattern::Project> project,
                      bool modified = false);
+    /// The chart of the machine data that is open, made in the background; undoable. Nothing where there is a
+    /// chart already.
+    void editAsChart();
     void cancelOpening();
     bool isOpening() const { return m_opener.busy(); }
     QString openingTitle() const { return m_openingTitle; }
@@ -204,6 +207,7 @@ signals:
     void chartFollowed(); ///< fabricFollowsChart() or isRebuilding()
     void saved();
     void openFailed();
+    void lifted();          ///< editAsChart() has come out well; file() has the notes
     void problemsChanged(); ///< problems(), waived() or rulesOff()
     void machineChanged();
     void stepChanged();
@@ -226,6 +230,7 @@ private:
     friend class LadderCommand;
     friend class ChartCommand;
     friend class ColourwayCommand;
+    friend class LiftCommand;
 
     void begin(OpenRequest request);
     void take(const std::shared_ptr<const OpenedFile>& file);
@@ -250,6 +255,8 @@ private:
     void replaceYarns(std::shared_ptr<const pattern::Project> changed);
     void applyColourways(const pattern::Colourways& colourways, const std::vector<pattern::ChartYarn>& yarns);
     void applyPatch(const pattern::ChartPatch& patch, bool forwards);
+    void exchangeProgram(const std::shared_ptr<const OpenedFile>& file,
+                         const std::vector<CarrierYarn>& carriers);
     void rebuild();
     void takeRebuilt(const std::shared_ptr<const OpenedFile>& file);
     void update(const std::shared_ptr<const OpenedFile>& file);

@@ -17,6 +17,29 @@ void Document::openProject(const QString& title, std::shared_ptr<const pattern::
     m_opensModified = modified;
 }
 
+void Document::editAsChart() {
+    if (m_file && !m_project && !isOpening()) {
+        OpenRequest request = m_file->request;
+        request.asChart = true;
+        begin(std::move(request));
+    }
+}
+
+/// Machine data and its chart take each other's place: the fabric is the same, undo goes on.
+void Document::exchangeProgram(const std::shared_ptr<const OpenedFile>& file,
+                               const std::vector<CarrierYarn>& carriers) {
+    m_rebuilder.cancel();
+    exchangeFile(file);
+    m_project = m_knitted = file->project;
+    m_carriers = carriers;
+    m_step = operationCount();
+    tellFile(false);
+    emit chartChanged();
+    emit chartFollowed();
+    emit problemsChanged();
+    start();
+}
+
 void Document::editChart(const QString& text, const std::function<void(pattern::Chart&)>& edit) {
     if (!m_project || isOpening()) {
         return; // what comes next has been asked for
@@ -158,7 +181,7 @@ LoopIndex Document::loopOfCell(pattern::CellPlace place) const {
     }
     const std::vector<OperationIndex>& ends = m_file->chartCourseEnds;
     return lastLoop(m_file->timeline->loops(), course > 0 ? ends[course - 1] : 0, ends[course],
-                    place.wale + pattern::kFirstNeedle);
+                    place.wale + m_project->firstNeedle);
 }
 
 std::optional<pattern::CellPlace> Document::cellOfLoop(LoopIndex loop) const {
@@ -168,7 +191,7 @@ std::optional<pattern::CellPlace> Document::cellOfLoop(LoopIndex loop) const {
     }
     const machine::Loop& made = m_file->timeline->loops().loops[static_cast<std::size_t>(loop)];
     const auto course = std::ranges::upper_bound(m_file->chartCourseEnds, made.operation);
-    return pattern::CellPlace{made.needle.index - pattern::kFirstNeedle,
+    return pattern::CellPlace{made.needle.index - m_project->firstNeedle,
                               static_cast<int>(course - m_file->chartCourseEnds.begin())};
 }
 

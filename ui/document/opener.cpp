@@ -7,6 +7,7 @@
 #include "core/formats/knitout/writer.h"
 #include "core/machine/checks/check.h"
 #include "core/machine/profile_library.h"
+#include "core/pattern/lift.h"
 #include "ui/document/mailbox.h"
 
 #include <QThreadPool>
@@ -62,9 +63,28 @@ Result<machine::Program> knitProject(OpenedFile& file, const machine::ProfileLib
     return formats::knitout::parse(text, file.request.title.toStdString());
 }
 
+/// The chart of a program, and the program that is knitted from it.
+Result<machine::Program> liftProgram(OpenedFile& file, const machine::Program& program,
+                                     const machine::ProfileLibrary& machines,
+                                     const yarn::YarnLibrary& library) {
+    const auto own = machine::chooseProfile(program, machines);
+    const auto wanted = machine::chooseProfile(program, machines, file.request.machine.toStdString());
+    auto lifted = pattern::lift(program, wanted ? wanted.value() : own.value(),
+                                machine::carrierYarns(program, library, yarn::defaultYarn()));
+    if (!lifted) {
+        file.diagnostics = lifted.diagnostics();
+        return Result<machine::Program>::failure(file.diagnostics);
+    }
+    file.project = std::make_shared<pattern::Project>(std::move(lifted.value().project));
+    Result<machine::Program> knitted = knitProject(file, machines, false);
+    const Diagnostics& notes = lifted.value().notes;
+    file.diagnostics.insert(file.diagnostics.end(), notes.begin(), notes.end());
+    return knitted;
+}
+
 /// Fills file.source, and file.project where there is a chart.
 Result<machine::Program> readProgramOf(OpenedFile& file, const machine::ProfileLibrary& machines,
-                                       bool keepChart) {
+                                       const yarn::YarnLibrary& library, bool keepChart) {
     const OpenRequest& request = file.request;
     const std::filesystem::path path(request.path.toStdString());
     file.project = request.project;
@@ -83,7 +103,8 @@ Result<machine::Program> readProgramOf(OpenedFile& file, const machine::ProfileL
     file.source = readSource(request);
     Result<machine::Program> program = readRequest(request);
     file.diagnostics = program.diagnostics();
-    return program;
+    return program && request.asChart ? liftProgram(file, program.value(), machines, library)
+                                      : std::move(program);
 }
 
 std::vector<OperationIndex> endsOfPasses(const machine::Program& program) {
@@ -133,7 +154,7 @@ std::shared_ptr<const OpenedFile> openFile(const OpenRequest& request, const yar
     tell(OpeningStage::Reading);
     Diagnostics problems;
     const auto machines = machine::ProfileLibrary::read(machine::profileFolders(), problems);
-    Result<machine::Program> program = readProgramOf(*file, machines, keepChart);
+    Result<machine::Program> program = readProgramOf(*file, machines, library, keepChart);
     if (!program) {
         return file;
     }

@@ -28,6 +28,7 @@ struct OpenRequest {
     QString text;         ///< knitout; empty for a file and for a chart
     QString machine = {}; ///< id of the profile; empty: what the file names
     std::shared_ptr<const pattern::Project> project = {};
+    bool asChart = false; ///< a file or a text: lifted into a chart
 };
 
 /// All that is made from one file, off the window's thread. Immutable.

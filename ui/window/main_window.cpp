@@ -13,8 +13,11 @@
 #include "ui/views/style/appearance.h"
 #include "ui/views/style/icons.h"
 #include "ui/window/banner.h"
+#include "ui/window/carrier_looks.h"
+#include "ui/window/comparison.h"
 #include "ui/window/gallery.h"
 #include "ui/window/opening_card.h"
+#include "ui/window/photograph_card.h"
 #include "ui/window/sample_card.h"
 #include "ui/window/status_line.h"
 
@@ -38,15 +41,6 @@ namespace knittsim::ui {
 namespace {
 
 constexpr int kSettleDelayMs = 350;
-
-std::vector<render::YarnLook> looksOf(const std::vector<document::CarrierYarn>& carriers) {
-    std::vector<render::YarnLook> looks;
-    looks.reserve(carriers.size());
-    for (const document::CarrierYarn& carrier : carriers) {
-        looks.push_back(render::lookOf(carrier.yarn));
-    }
-    return looks;
-}
 
 QString firstLocalFile(const QMimeData* data) {
     for (const QUrl& url : data->urls()) {
@@ -100,11 +94,13 @@ void MainWindow::buildCentre() {
     m_fabric->setFocusPolicy(Qt::StrongFocus);
     m_fabric->setDark(isDark(palette()));
     m_history = new HistoryCard(m_document, m_fabric);
+    m_photograph = new PhotographCard(*m_fabric);
     m_player = new StepPlayer(m_document, m_workspace);
     auto* work = new QVBoxLayout(m_workspace);
     work->setContentsMargins(0, 0, 0, 0);
     work->setSpacing(0);
-    work->addWidget(m_fabric, 1);
+    m_comparison = new Comparison(m_document, *m_fabric, m_workspace);
+    work->addWidget(m_comparison, 1);
     work->addWidget(m_player);
     m_pages->addWidget(m_gallery);
     m_pages->addWidget(m_workspace);
@@ -135,6 +131,7 @@ void MainWindow::connectDocument() {
     connect(&m_watch, &document::FileWatch::changed, this, &MainWindow::takeForeignChange);
     connect(m_document.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::takeTitle);
     connect(&m_document, &Document::openFailed, this, &MainWindow::takeFailure);
+    connect(&m_document, &Document::lifted, this, &MainWindow::takeLifted);
     connect(&m_document, &Document::problemsChanged, this, &MainWindow::takeProblems);
     connect(&m_document, &Document::fabricShown, this, &MainWindow::takeFabric);
     connect(&m_document, &Document::activityChanged, this, &MainWindow::takeActions);
@@ -202,6 +199,9 @@ void MainWindow::connectFabric() {
     connect(m_fabric, &FabricView::measured, this, [this](double millimetres) {
         statusBar()->showMessage(tr("Tape: %1").arg(lengthText(millimetres)), 10000);
     });
+    connect(m_comparison, &Comparison::changed, this, &MainWindow::takeActions);
+    connect(m_comparison, &Comparison::failed, this,
+            [this](const QString& text) { m_banner->showMessage(Banner::Kind::Error, text); });
     connect(m_fabric, &FabricView::glFailed, this,
             [this](const QString& reason) { m_banner->showMessage(Banner::Kind::Note, reason); });
 }
@@ -258,7 +258,8 @@ void MainWindow::startSoon() {
 void MainWindow::takeFailure() {
     const auto failed = m_document.failedFile();
     const Diagnostics& problems = failed->diagnostics;
-    QString text = tr("%1 could not be opened.").arg(failed->request.title);
+    QString text = (failed->request.asChart ? tr("%1 cannot become a chart.") : tr("%1 could not be opened."))
+                       .arg(failed->request.title);
     if (!problems.empty()) {
         text += u' ' + document::causeText(problems.front());
     }

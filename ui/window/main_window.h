@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/file_watch.h"
+#include "ui/document/named_views.h"
 #include "ui/document/session.h"
 #include "ui/views/pattern_editor/chart_look.h"
 
@@ -18,6 +19,7 @@ namespace knittsim::ui {
 
 class Banner;
 class ChartEditor;
+class Comparison;
 class DiagnosticsPanel;
 class FabricView;
 class Gallery;
@@ -26,7 +28,9 @@ class MachineChoice;
 class NeedleBeds;
 class ChartArea;
 class PatternGrid;
+class PhotographCard;
 class SimulationPanel;
+struct Photograph;
 class SourceView;
 class StatusLine;
 class StepPlayer;
@@ -84,6 +88,9 @@ private:
     ChartArea* shownChart() const;
     void buildLookMenus(QMenu* menu);
     void takeChart();
+    void takeLifted();
+    void choosePicture();
+    void importPicture(const QString& path);
     void takeTitle();
     void newChart();
     bool saveChart();
@@ -124,6 +131,28 @@ private:
     QString describeLoop(int loop) const;
     void exportShown();
 
+    // main_window_compare.cpp
+    void buildCompareMenu(QMenu* view);
+    void takeCompareActions();
+    void compareWithFile();
+    void compareWithYarn();
+
+    // main_window_views.cpp
+    void buildViewsMenu(QMenu* view);
+    void takeViews();
+    void saveView();
+    void recallView(const QString& name);
+    void manageViews();
+
+    // main_window_photograph.cpp
+    void buildPhotographMenu(QMenu* view);
+    void takePhotographActions();
+    void choosePhotograph();
+    void openPhotograph(Photograph wanted);
+    void alignPhotograph();
+    void recallPhotograph();
+    void rememberPhotograph();
+
     // main_window_docks.cpp
     void buildDocks();
     QDockWidget* addDock(const QString& name, const QString& title, QWidget* content,
@@ -144,11 +173,15 @@ private:
     document::FileWatch m_watch;
     bool m_changedOutside = false; ///< since the file was opened or saved
     ChartLook m_look;
+    document::NamedViews m_views{m_session}; ///< of the open file
     QWidget* m_workspace = nullptr;
     QStackedWidget* m_pages = nullptr;
     Gallery* m_gallery = nullptr;
     Banner* m_banner = nullptr;
     FabricView* m_fabric = nullptr;
+    Comparison* m_comparison = nullptr; ///< has the fabric, and what lies beside it
+    PhotographCard* m_photograph = nullptr;
+    QString m_photographKey; ///< what is remembered of the photograph; empty while nothing is open
     HistoryCard* m_history = nullptr;
     StepPlayer* m_player = nullptr;
     PatternGrid* m_grid = nullptr;
@@ -172,6 +205,7 @@ private:
     QToolButton* m_problemButton = nullptr;
     MachineChoice* m_machine = nullptr;
     QMenu* m_recentMenu = nullptr;
+    QMenu* m_viewsMenu = nullptr;
     std::size_t m_problemsShown = 0; ///< errors and warnings
     QString m_nothingRuns;           ///< what the banner last said about ladders
     QByteArray m_arrangement;        ///< of the docks while a file is open; empty: m_layout as it comes

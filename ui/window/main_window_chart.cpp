@@ -2,6 +2,7 @@
 
 #include "core/base/file.h"
 #include "core/formats/formats.h"
+#include "ui/dialogs/picture_dialog.h"
 #include "ui/document/message_text.h"
 #include "ui/views/chart_editor/chart_canvas.h"
 #include "ui/views/chart_editor/chart_editor.h"
@@ -56,6 +57,11 @@ QString MainWindow::askWhere(const QString& title, const QString& start, const Q
 void MainWindow::buildChartMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&Pattern"));
     menu->setObjectName(QStringLiteral("patternMenu"));
+    QAction* lift = addAction(menu, "actionEditAsChart", tr("E&dit as chart"),
+                              Qt::CTRL | Qt::ALT | Qt::Key_C, {}, [this] { m_document.editAsChart(); });
+    lift->setToolTip(tr("Machine data becomes a chart that can be changed; what a chart cannot say is kept"));
+    lift->setEnabled(false);
+    menu->addSeparator();
     for (QAction* action : m_chart->toolActions()) {
         menu->addAction(action);
     }
@@ -103,6 +109,17 @@ void MainWindow::buildLookMenus(QMenu* menu) {
               [this] { m_look.showByContent(); });
 }
 
+/// Says what the chart could not take from the machine data.
+void MainWindow::takeLifted() {
+    QString text = tr("This is a chart now. Undo brings the machine data back.");
+    for (const Diagnostic& note : m_document.file()->diagnostics) {
+        if (note.id == "KS0511" || note.id == "KS0513") {
+            text += u' ' + document::causeText(note) + u' ' + document::cureText(note);
+        }
+    }
+    m_banner->showMessage(Banner::Kind::Note, text);
+}
+
 /// Charts are drawn, machine data is looked at.
 void MainWindow::takeChart() {
     const bool chart = m_document.project() != nullptr;
@@ -110,6 +127,8 @@ void MainWindow::takeChart() {
     for (QAction* action : m_chart->toolActions() + m_chart->editActions()) {
         action->setEnabled(chart);
     }
+    findChild<QAction*>(QStringLiteral("actionEditAsChart"))
+        ->setEnabled(!chart && m_document.file() != nullptr);
     takeTitle();
 }
 
@@ -133,6 +152,32 @@ void MainWindow::newChart() {
             m_chart->canvas()->setTool(ChartTool::Pencil);
             m_document.openProject(tr("New chart"), project);
         });
+    });
+    dialog->open();
+}
+
+void MainWindow::choosePicture() {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Import a picture"), m_session.lastFolder(),
+                                                      tr("Pictures (*.png *.jpg *.jpeg);;All files (*)"));
+    if (!path.isEmpty()) {
+        m_session.setLastFolder(QFileInfo(path).absolutePath());
+        importPicture(path);
+    }
+}
+
+void MainWindow::importPicture(const QString& path) {
+    const auto project = m_document.project();
+    const auto file = m_document.file();
+    auto* dialog = new PictureDialog(
+        path, project ? project->chart.yarns : std::vector<pattern::ChartYarn>(),
+        project && file ? file->timeline->profile().carriers : machine::genericProfile().carriers, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, path, project] {
+        auto imported = std::make_shared<pattern::Project>();
+        imported->chart = dialog->chart();
+        imported->machine = project ? project->machine : m_document.chosenMachine().toStdString();
+        const QString title = QFileInfo(path).completeBaseName();
+        whenLeft([this, title, imported] { m_document.openProject(title, imported, true); });
     });
     dialog->open();
 }

@@ -3,6 +3,7 @@
 #include "core/pattern/swatch.h"
 #endif
 
+#include "ui/dialogs/picture_dialog.h"
 #include "ui/views/chart_editor/chart_canvas.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/style/appearance.h"
@@ -11,17 +12,20 @@
 #include "ui/window/sample_thumbnail.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QClipboard>
 #include <QDialog>
 #include <QDir>
 #include <QFile>
 #include <QGuiApplication>
+#include <QInputDialog>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -75,6 +79,104 @@ private slots:
         QVERIFY(!m_window->isWindowModified());
         document().undoStack()->redo();
         QCOMPARE(chart().at(4, 3).stitch, Stitch::Purl);
+    }
+
+    void machineDataBecomesAChartAndUndoBringsItBack() {
+        const QString pause =
+            QStringLiteral(";!knitout-2\n;;Carriers: 1 2 3\ninhook 1\nknit - f3 1\nknit - f2 1\nknit - f1 1\n"
+                           "releasehook 1\npause look\nknit + f1 1\nknit + f2 1\nknit + f3 1\n"
+                           "knit - f3 1\nknit - f2 1\nknit - f1 1\nouthook 1\n");
+        document().openText(QStringLiteral("outside.k"), pause);
+        QTRY_VERIFY(document().file());
+        QVERIFY(!document().project());
+        auto* lift = child<QAction>("actionEditAsChart");
+        QVERIFY(lift->isEnabled());
+        const std::size_t operations = operationCount();
+        lift->trigger();
+        QTRY_VERIFY(document().project());
+        QCOMPARE(chart().height(), 3);
+        QVERIFY(document().fabricFollowsChart());
+        QCOMPARE(operationCount(), operations + 1);    // the colour of the yarn is said
+        QVERIFY(chart().course(1).program != nullptr); // the pause
+        QVERIFY(child<Banner>("banner")->text().contains(QStringLiteral("1 of 3 courses")));
+        QVERIFY(!lift->isEnabled());
+        document().editChart(QStringLiteral("purl"),
+                             [](pattern::Chart& edited) { edited.at(1, 1).stitch = Stitch::Purl; });
+        QTRY_VERIFY(document().fabricFollowsChart());
+        QVERIFY(operationCount() > operations + 1); // a loop changes beds and comes back
+        document().undoStack()->undo();
+        document().undoStack()->undo();
+        QVERIFY(!document().project());
+        QCOMPARE(operationCount(), operations);
+        QVERIFY(lift->isEnabled());
+        document().undoStack()->redo();
+        document().undoStack()->redo();
+        QCOMPARE(chart().at(1, 1).stitch, Stitch::Purl);
+        QTRY_VERIFY(document().fabricFollowsChart());
+    }
+
+    void aPictureBecomesAChartInProportion() {
+        QImage image(300, 300, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        for (int y = 0; y < 100; ++y) {
+            for (int x = 0; x < 300; ++x) {
+                image.setPixel(x, y, qRgb(180, 20, 40)); // the upper third
+            }
+        }
+        const QString path = m_folder.filePath(QStringLiteral("flag.png"));
+        QVERIFY(image.save(path));
+        PictureDialog dialog(path, {}, {"1", "2", "3"});
+        dialog.show();
+        auto* make = dialog.findChild<QPushButton*>(QStringLiteral("pictureMake"));
+        QTRY_VERIFY(make->isEnabled());
+        dialog.findChild<QSpinBox*>(QStringLiteral("pictureWales"))->setValue(30);
+        QVERIFY(!make->isEnabled()); // until it is worked out
+        QTRY_VERIFY(make->isEnabled());
+        QCOMPARE(dialog.findChild<QSpinBox*>(QStringLiteral("pictureCourses"))->value(), 40); // 60 to 80
+        QTest::keyClick(dialog.findChild<QSpinBox*>(QStringLiteral("pictureWales")), Qt::Key_Return);
+        QCOMPARE(dialog.result(), int(QDialog::Accepted));
+        const pattern::Chart chart = dialog.chart();
+        QCOMPARE(chart.width, 30);
+        QCOMPARE(chart.height(), 40);
+        QCOMPARE(chart.yarns.size(), std::size_t{2});
+        QCOMPARE(chart.yarns[1].colour, (yarn::Colour{180, 20, 40}));
+        QCOMPARE(int(chart.at(5, 0).yarn), 0);
+        QCOMPARE(int(chart.at(5, 39).yarn), 1);
+    }
+
+    void aSelectionIsSavedAsAModuleAndStandsInTheCatalogue() {
+        qputenv("KNITTSIM_MODULES", m_folder.filePath(QStringLiteral("modules")).toUtf8());
+        newChart(12, 10);
+        stroke({1, 2}, {3, 2});
+        child<QAction>("actionChartAll")->trigger();
+        QTimer::singleShot(0, this, [] {
+            auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+            dialog->setTextValue(QStringLiteral("Three purls"));
+            dialog->accept();
+        });
+        child<QAction>("actionChartSaveModule")->trigger();
+        auto* catalogue = m_window->findChild<QMenu*>(QStringLiteral("catalogue"));
+        child<QAction>("actionChartStamp")->trigger();
+        auto* list = catalogue->findChild<QListWidget*>(QStringLiteral("catalogueList"));
+        QTRY_VERIFY(!list->findItems(QStringLiteral("Three purls"), Qt::MatchExactly).isEmpty());
+        QListWidgetItem* item = list->findItems(QStringLiteral("Three purls"), Qt::MatchExactly).front();
+        document().undoStack()->undo();
+        QCOMPARE(chart().at(2, 2).stitch, Stitch::Knit);
+        emit list->itemClicked(item);
+        stroke({0, 0}, {0, 0});
+        QCOMPARE(chart().at(2, 2).stitch, Stitch::Purl);
+        qunsetenv("KNITTSIM_MODULES");
+    }
+
+    void aFileThatIsNoPictureIsRefusedInWords() {
+        const QString path = m_folder.filePath(QStringLiteral("broken.png"));
+        QFile file(path);
+        QVERIFY(file.open(QFile::WriteOnly) && file.write("no picture") > 0);
+        file.close();
+        PictureDialog dialog(path, {}, {"1", "2"});
+        auto* words = dialog.findChild<QLabel*>(QStringLiteral("pictureWords"));
+        QTRY_VERIFY(words->text().contains(QStringLiteral("cannot be read")));
+        QVERIFY(!dialog.findChild<QPushButton*>(QStringLiteral("pictureMake"))->isEnabled());
     }
 
     void oneStrokeIsOneStepBack() {

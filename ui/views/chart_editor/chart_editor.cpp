@@ -2,6 +2,7 @@
 
 #include "ui/document/message_text.h"
 #include "ui/views/chart_editor/chart_canvas.h"
+#include "ui/views/chart_editor/own_module_dialogs.h"
 #include "ui/views/chart_editor/palettes.h"
 #include "ui/views/style/appearance.h"
 #include "ui/views/style/icons.h"
@@ -57,6 +58,7 @@ ChartEditor::ChartEditor(document::Document& document, ChartLook& look, QWidget*
         m_hint->setText(tr("A click lays down %1, its lower left corner first; a drag repeats it.")
                             .arg(QString::fromStdString(module->name)));
     });
+    connect(m_catalogue, &CataloguePopup::problemFound, m_hint, &QLabel::setText);
     connect(m_canvas, &ChartCanvas::hovered, m_hint, &QLabel::setText);
     connect(&m_document, &document::Document::chartFollowed, this, &ChartEditor::takeFollowing);
     connect(&m_document, &document::Document::chartChanged, this, [this] {
@@ -158,6 +160,16 @@ void ChartEditor::buildEdits() {
             [canvas] { canvas->rotate(); });
     addEdit("actionChartRepeat", tr("R&epeat the selection over the chart"), Qt::CTRL | Qt::Key_T,
             [canvas] { canvas->repeat(); });
+    addEdit("actionChartSaveModule", tr("Save the selection as a m&odule\u2026"),
+            Qt::CTRL | Qt::SHIFT | Qt::Key_B, [this] {
+                const auto project = m_document.project();
+                if (m_canvas->selection().empty()) {
+                    m_hint->setText(tr("Select the stitches of the module first."));
+                } else if (project &&
+                           saveAsOwnModule(this, pattern::copyOf(project->chart, m_canvas->selection()))) {
+                    m_hint->setText(tr("The module stands at the end of the stitch catalogue."));
+                }
+            });
     addEdit("actionChartInsertCourses", tr("&Insert courses"), Qt::CTRL | Qt::Key_I,
             [canvas] { canvas->insertCourses(); });
     addEdit("actionChartRemoveCourses", tr("Remo&ve courses"), Qt::CTRL | Qt::SHIFT | Qt::Key_I,

@@ -1,5 +1,8 @@
 #include "ui/views/chart_editor/palettes.h"
 
+#include "core/pattern/own_modules.h"
+#include "ui/document/message_text.h"
+#include "ui/views/chart_editor/own_module_dialogs.h"
 #include "ui/views/chart_editor/stitch_picture.h"
 #include "ui/views/style/appearance.h"
 
@@ -241,11 +244,15 @@ CataloguePopup::CataloguePopup(ChartLook& look, QWidget* parent)
     action->setDefaultWidget(m_list);
     addAction(action);
     const auto take = [this](const QListWidgetItem* item) {
+        const std::string id = item->data(Qt::UserRole).toString().toStdString();
+        const auto own = std::ranges::find(m_own, id, &pattern::Module::id);
+        m_chosen = own != m_own.end() ? *own : *pattern::findModule(id);
         close();
-        emit chosen(pattern::findModule(item->data(Qt::UserRole).toString().toStdString()));
+        emit chosen(&m_chosen);
     };
     connect(m_list, &QListWidget::itemClicked, this, take);
     connect(m_list, &QListWidget::itemActivated, this, take);
+    addOwnActions();
     connect(this, &QMenu::aboutToShow, this, [this] {
         fill();
         m_list->setFocus();
@@ -256,16 +263,51 @@ CataloguePopup::CataloguePopup(ChartLook& look, QWidget* parent)
 void CataloguePopup::fill() {
     m_list->clear();
     for (const pattern::Module& module : pattern::catalogue()) {
-        const QString name = QString::fromStdString(module.name);
-        auto* item = new QListWidgetItem(QIcon(pictureOf(module.part, m_list->iconSize(), devicePixelRatioF(),
-                                                         palette(), m_look.symbols())),
-                                         name, m_list);
-        item->setData(Qt::UserRole, QString::fromStdString(module.id));
-        item->setToolTip(tr("%1 (%2), %3 wales x %4 courses")
-                             .arg(name, groupName(module.group))
-                             .arg(module.part.width)
-                             .arg(module.part.height()));
+        addItem(module, groupName(module.group));
     }
+    Diagnostics problems;
+    m_own = pattern::readOwnModules(pattern::ownModuleFolder(), problems);
+    for (const pattern::Module& module : m_own) {
+        addItem(module, tr("your own"));
+    }
+    for (const Diagnostic& problem : problems) {
+        emit problemFound(QString::fromStdString(problem.place.file) + QStringLiteral(": ") +
+                          document::causeText(problem));
+    }
+}
+
+void CataloguePopup::addItem(const pattern::Module& module, const QString& kind) {
+    const QString name = QString::fromStdString(module.name);
+    auto* item = new QListWidgetItem(
+        QIcon(pictureOf(module.part, m_list->iconSize(), devicePixelRatioF(), palette(), m_look.symbols())),
+        name, m_list);
+    item->setData(Qt::UserRole, QString::fromStdString(module.id));
+    item->setToolTip(tr("%1 (%2), %3 wales x %4 courses")
+                         .arg(name, kind)
+                         .arg(module.part.width)
+                         .arg(module.part.height()));
+}
+
+void CataloguePopup::addOwnActions() {
+    const auto add = [this](const QString& text, const QKeySequence& key,
+                            void (*change)(QWidget*, const QString&)) {
+        auto* action = new QAction(text, m_list);
+        action->setShortcut(key);
+        action->setShortcutContext(Qt::WidgetShortcut);
+        connect(action, &QAction::triggered, this, [this, change] {
+            const QListWidgetItem* item = m_list->currentItem();
+            const std::string id = item ? item->data(Qt::UserRole).toString().toStdString() : std::string();
+            if (std::ranges::find(m_own, id, &pattern::Module::id) != m_own.end()) {
+                const QString name = item->text();
+                close();
+                change(parentWidget(), name);
+            }
+        });
+        m_list->addAction(action);
+    };
+    add(tr("&Rename your module\u2026"), Qt::Key_F2, renameOwnModule);
+    add(tr("&Delete your module\u2026"), Qt::CTRL | Qt::Key_Delete, removeOwnModule);
+    m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
 } // namespace knittsim::ui

@@ -59,7 +59,8 @@ private:
     std::optional<std::uint8_t> m_chosen;
 };
 
-/// The catalogue as pictures.
+/// The catalogue and the modules that the person saved as pictures; the latter can be renamed (F2) and
+/// deleted (Ctrl+Del), also from their context menu.
 class CataloguePopup : public QMenu {
     Q_OBJECT
 
@@ -67,13 +68,19 @@ public:
     explicit CataloguePopup(ChartLook& look, QWidget* parent = nullptr);
 
 signals:
+    /// The module stays where it is until the next one is chosen.
     void chosen(const knittsim::pattern::Module* module);
+    void problemFound(const QString& text); ///< a file of the person's modules cannot be used
 
 private:
     void fill();
+    void addItem(const pattern::Module& module, const QString& kind);
+    void addOwnActions();
 
     ChartLook& m_look;
     QListWidget* m_list;
+    std::vector<pattern::Module> m_own;
+    pattern::Module m_chosen;
 };
 
 } // namespace knittsim::ui

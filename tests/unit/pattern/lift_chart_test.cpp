@@ -1,0 +1,191 @@
+#include "core/machine/checks/check.h"
+#include "core/pattern/catalogue.h"
+#include "core/pattern/chart_edit.h"
+#include "core/pattern/lift.h"
+#include "core/pattern/move_plan.h"
+#include "core/pattern/swatch.h"
+#include "core/yarn/yarn_library.h"
+#include "knitted.h"
+#include "shrink_chart.h"
+
+#include <random>
+
+/// Charts that are compiled, knitted by the emulated machine and lifted back are the same charts.
+namespace knittsim::pattern {
+namespace {
+
+std::vector<LoopMove> planned(const Course& course) {
+    std::vector<LoopMove> moves;
+    for (const MoveStep& step : planMoves(course.moves)) {
+        moves.insert(moves.end(), step.moves.begin(), step.moves.end());
+    }
+    return moves;
+}
+
+/// What is different in the lifted chart, or nothing.
+std::string difference(const Chart& chart, const Lifted& back) {
+    const Chart& found = back.project.chart;
+    if (back.kept > 0) {
+        return "courses " + back.notes.back().arguments[2] + " are kept as in the program";
+    }
+    if (found.width != chart.width || found.height() != chart.height()) {
+        return "it has " + std::to_string(found.width) + " x " + std::to_string(found.height()) + " cells";
+    }
+    for (int c = 0; c < chart.height(); ++c) {
+        for (int w = 0; w < chart.width; ++w) {
+            if (found.at(w, c).stitch != chart.at(w, c).stitch ||
+                (isWorked(chart.at(w, c).stitch) && found.at(w, c).yarn != chart.at(w, c).yarn)) {
+                return "wale " + std::to_string(w) + " of course " + std::to_string(c);
+            }
+        }
+        if (planned(found.course(c)) != planned(chart.course(c)) ||
+            found.course(c).rack != chart.course(c).rack) {
+            return "moves or racking of course " + std::to_string(c);
+        }
+    }
+    return {};
+}
+
+std::string liftsBack(const Chart& chart) {
+    const auto program = compile(chart);
+    if (!program) {
+        return {}; // of a chart that is being shrunk
+    }
+    const auto yarns = machine::carrierYarns(program.value(), yarn::YarnLibrary({}), yarn::defaultYarn());
+    const auto back = lift(program.value(), machine::genericProfile(), yarns);
+    return back ? difference(chart, back.value()) : "not lifted: " + back.diagnostics()[0].id;
+}
+
+/// The first error of the checks, or nothing.
+std::string firstError(const Chart& chart) {
+    const auto program = compile(chart);
+    if (!program) {
+        return {};
+    }
+    const machine::Timeline timeline(program.value(), machine::genericProfile());
+    for (const Diagnostic& finding : machine::check(timeline)) {
+        if (finding.severity == Severity::Error) {
+            return finding.id;
+        }
+    }
+    return {};
+}
+
+/// Rows from the top, an upper-case letter for yarns after the first; moves below each row.
+std::string drawn(const Chart& chart) {
+    std::string text;
+    for (int c = chart.height() - 1; c >= 0; --c) {
+        for (int w = 0; w < chart.width; ++w) {
+            text += "kpbtmr."[static_cast<std::size_t>(chart.at(w, c).stitch)];
+            text += static_cast<char>('0' + chart.at(w, c).yarn);
+        }
+        text += chart.course(c).colours == ColourMethod::Intarsia ? " intarsia" : "";
+        for (const LoopMove& move : chart.course(c).moves) {
+            text += ' ' + std::to_string(move.from) + '>' + std::to_string(move.to);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+void expectNone(const Chart& chart, const std::function<std::string(const Chart&)>& problem, int seed) {
+    ASSERT_TRUE(compile(chart)) << drawn(chart);
+    if (const std::string found = problem(chart); !found.empty()) {
+        const Chart least = shrinkChart(chart, [&](const Chart& c) { return !problem(c).empty(); });
+        ADD_FAILURE() << "seed " << seed << ": " << problem(least) << "\n" << drawn(least);
+    }
+}
+
+/// Stitches on both beds, modules of the catalogue, several colours; every wale is worked in every course.
+Chart randomChart(std::mt19937& random) {
+    const auto upTo = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
+    Chart chart(8 + upTo(16), 6 + upTo(16));
+    chart.yarns = {{"1", {}, ""}, {"2", {}, ""}, {"3", {}, ""}};
+    const int colours = upTo(2);
+    for (int c = 0; c < chart.height(); ++c) {
+        for (int w = 0; w < chart.width; ++w) {
+            chart.at(w, c) = {upTo(3) == 0 ? Stitch::Purl : Stitch::Knit,
+                              static_cast<std::uint8_t>(upTo(colours))};
+        }
+    }
+    for (int i = upTo(4); i > 0; --i) {
+        const Module& module =
+            catalogue()[static_cast<std::size_t>(upTo(static_cast<int>(catalogue().size()) - 1))];
+        if (module.tiles) { // not the first courses: loops are moved and held
+            tile(chart, {upTo(chart.width - 4), 2 + upTo(chart.height() - 4), 2 + upTo(12), 2 + upTo(12)},
+                 module.part, PasteWhat::Stitches);
+        }
+    }
+    return chart;
+}
+
+TEST(LiftChart, RandomChartsComeBack) {
+    std::mt19937 random(7);
+    for (int i = 0; i < 300 && !testing::Test::HasFailure(); ++i) {
+        expectNone(randomChart(random), liftsBack, i);
+    }
+}
+
+TEST(LiftChart, EveryModuleOfTheCatalogueComesBack) {
+    for (const Module& module : catalogue()) {
+        Chart chart = plainChart(24, 30);
+        if (module.tiles) {
+            tile(chart, {4, 4, 16, 20}, module.part, PasteWhat::Stitches);
+        } else {
+            const bool left = module.part.at(0, 0).stitch == Stitch::Empty;
+            paste(chart, {left ? 0 : chart.width - module.part.width, chart.height() - 1}, module.part,
+                  PasteWhat::Stitches);
+        }
+        EXPECT_EQ(liftsBack(chart), "") << module.id;
+    }
+}
+
+TEST(LiftChart, RandomChartsPassTheChecks) {
+    std::mt19937 random(11);
+    for (int i = 0; i < 200 && !testing::Test::HasFailure(); ++i) {
+        expectNone(randomChart(random), firstError, i);
+    }
+}
+
+/// Zones of random widths that wander.
+Chart zones(std::mt19937& random) {
+    const auto upTo = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
+    Chart chart(9 + upTo(12), 4 + upTo(12));
+    chart.yarns = {{"1", {}, ""}, {"2", {}, ""}, {"3", {}, ""}};
+    int first = 3;
+    int second = chart.width - 3;
+    for (int c = 0; c < chart.height(); ++c) {
+        chart.course(c).colours = ColourMethod::Intarsia;
+        first = std::clamp(first + upTo(2) - 1, 2, chart.width / 2 - 1);
+        second = std::clamp(second + upTo(2) - 1, chart.width / 2 + 1, chart.width - 2);
+        for (int w = 0; w < chart.width; ++w) {
+            chart.at(w, c) = {upTo(4) == 0 ? Stitch::Purl : Stitch::Knit,
+                              static_cast<std::uint8_t>(w < first    ? 0
+                                                        : w < second ? 1
+                                                                     : 2)};
+        }
+    }
+    return chart;
+}
+
+TEST(LiftChart, IntarsiaComesBack) {
+    std::mt19937 random(23);
+    for (int i = 0; i < 200 && !testing::Test::HasFailure(); ++i) {
+        expectNone(zones(random), liftsBack, i);
+    }
+}
+
+TEST(LiftChart, LargeChartsComeBack) {
+    // 300 x 500, with a cable in every eighth course.
+    Chart chart = plainChart(300, 500);
+    for (int c = 4; c < chart.height(); c += 8) {
+        for (int w = 0; w + 4 <= chart.width; w += 8) {
+            const auto moves = cross(w, 2, 2, Front::Left);
+            chart.course(c).moves.insert(chart.course(c).moves.end(), moves.begin(), moves.end());
+        }
+    }
+    EXPECT_EQ(liftsBack(chart), "");
+}
+
+} // namespace
+} // namespace knittsim::pattern
