@@ -1,15 +1,13 @@
 #include "app/gui/screenshot.h"
 #include "ui/views/style/appearance.h"
+#include "ui/views/style/language.h"
 #include "ui/window/key_guard.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QIcon>
-#include <QLibraryInfo>
-#include <QLocale>
 #include <QSurfaceFormat>
-#include <QTranslator>
 
 #include <cstdio>
 #include <memory>
@@ -104,18 +102,25 @@ void setUpOpenGl(int argc, char** argv) {
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
 }
 
-/// The words of dialogs that Qt brings along.
-void loadTranslations(QApplication& application) {
-    auto* ofQt = new QTranslator(&application);
-    if (ofQt->load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"),
-                   QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
-        QCoreApplication::installTranslator(ofQt);
+using Windows = std::vector<std::unique_ptr<ui::MainWindow>>;
+
+/// Windows in the language that was chosen take the place of those there are, with their documents.
+void speak(Windows& windows, const QString& language) {
+    ui::applyLanguage(*qApp, language);
+    for (std::unique_ptr<ui::MainWindow>& window : windows) {
+        const bool shown = window->isVisible();
+        auto next = std::make_unique<ui::MainWindow>(window->releaseDocument());
+        QObject::connect(
+            next.get(), &ui::MainWindow::languageChosen, qApp,
+            [&windows](const QString& id) { speak(windows, id); }, Qt::QueuedConnection);
+        next->setVisible(shown);
+        window = std::move(next);
     }
 }
 
 /// One window for each file; one with the gallery when there is none.
-std::vector<std::unique_ptr<ui::MainWindow>> openWindows(const Options& options) {
-    std::vector<std::unique_ptr<ui::MainWindow>> windows;
+Windows openWindows(const Options& options) {
+    Windows windows;
     const auto count = std::max<qsizetype>(1, options.files.size());
     for (qsizetype i = 0; i < count; ++i) {
         windows.push_back(std::make_unique<ui::MainWindow>());
@@ -145,7 +150,7 @@ int main(int argc, char** argv) {
     QCoreApplication::setApplicationName(QStringLiteral("KnittSim"));
     QCoreApplication::setApplicationVersion(QStringLiteral(KNITTSIM_VERSION));
     QGuiApplication::setDesktopFileName(QStringLiteral("io.github.knittsim.KnittSim"));
-    loadTranslations(application);
+    ui::applyLanguage(application, document::Session().language());
     const std::optional<Options> options = parse(application);
     if (!options) {
         return 2;
@@ -153,7 +158,12 @@ int main(int argc, char** argv) {
     ui::applyAppearance(application, options->appearance.value_or(document::Session().appearance()));
     ui::KeyGuard guard;
     application.installEventFilter(&guard);
-    const auto windows = openWindows(*options);
+    Windows windows = openWindows(*options);
+    for (const auto& window : windows) {
+        QObject::connect(
+            window.get(), &ui::MainWindow::languageChosen, qApp,
+            [&windows](const QString& id) { speak(windows, id); }, Qt::QueuedConnection);
+    }
     if (!options->screenshot.isEmpty()) {
         app::takeScreenshot(*windows.front(), options->screenshot, options->wait);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
+#include "core/fabric/needle_hooks.h"
 #include "core/geometry/measure.h"
 #include "core/geometry/stitch_lattice.h"
 
@@ -31,9 +32,10 @@ struct Annotations {
         Severity severity;
     };
     std::vector<Mark> problems;
-    std::vector<Vec3f> tape;      ///< ends that are set, mm; none, one or two
-    std::optional<Vec3f> tapeEnd; ///< where the second one would be set now
-    QString alone;                ///< what is shown alone, in words; empty: all
+    std::vector<fabric::NeedleHook> needles; ///< from which loops hang
+    std::vector<Vec3f> tape;                 ///< ends that are set, mm; none, one or two
+    std::optional<Vec3f> tapeEnd;            ///< where the second one would be set now
+    QString alone;                           ///< what is shown alone, in words; empty: all
 };
 
 /// "12.3 mm (0.48 in)"
