@@ -21,6 +21,8 @@ using namespace knittsim;
 struct Options {
     QStringList files;
     QString sample;
+    QString lesson;
+    std::optional<QString> language;
     QString screenshot;
     double wait = 20;
     int step = -1;
@@ -50,6 +52,9 @@ std::optional<Options> parse(QApplication& application) {
     parser.addHelpOption();
     parser.addVersionOption();
     const QCommandLineOption sample("sample", "Opens one of the samples, for example cable-braid.", "ID");
+    const QCommandLineOption lesson("lesson", "Begins a lesson, for example 5-cable, or one of your own.",
+                                    "ID or FILE");
+    const QCommandLineOption language("language", "Language for this run: en or de.", "ID");
     const QCommandLineOption step("step", "Shows the machine after this many operations.", "N");
     const QCommandLineOption layout("layout", "Arrangement of the panels: standard, teaching or checking.",
                                     "NAME");
@@ -60,7 +65,7 @@ std::optional<Options> parse(QApplication& application) {
         "screenshot", "Saves a picture of the window when the fabric is at rest, and ends.", "FILE");
     const QCommandLineOption wait("screenshot-after", "Does so after this time at the latest (20).",
                                   "SECONDS");
-    parser.addOptions({sample, step, layout, look, reset, software, shot, wait});
+    parser.addOptions({sample, lesson, language, step, layout, look, reset, software, shot, wait});
     parser.addPositionalArgument("files", "Machine programs to open.", "[FILE...]");
     parser.process(application);
     if (parser.isSet(reset)) {
@@ -69,6 +74,10 @@ std::optional<Options> parse(QApplication& application) {
     Options options;
     options.files = parser.positionalArguments();
     options.sample = parser.value(sample);
+    options.lesson = parser.value(lesson);
+    if (parser.isSet(language)) {
+        options.language = parser.value(language);
+    }
     options.screenshot = parser.value(shot);
     bool understood = true;
     if (parser.isSet(wait)) {
@@ -79,7 +88,8 @@ std::optional<Options> parse(QApplication& application) {
     }
     options.layout = layoutNamed(parser.value(layout));
     options.appearance = appearanceNamed(parser.value(look));
-    if (!understood || (parser.isSet(layout) && !options.layout) ||
+    const bool spoken = !options.language || ui::languages().contains(*options.language);
+    if (!understood || !spoken || (parser.isSet(layout) && !options.layout) ||
         (parser.isSet(look) && !options.appearance)) {
         std::fputs("knittsim: an option has a value it cannot have; see knittsim --help\n", stderr);
         return std::nullopt;
@@ -135,6 +145,8 @@ Windows openWindows(const Options& options) {
         window.show();
         if (i < options.files.size()) {
             window.openFile(options.files[i]);
+        } else if (!options.lesson.isEmpty()) {
+            window.openLesson(options.lesson);
         } else if (!options.sample.isEmpty()) {
             window.openSample(options.sample);
         }
@@ -154,6 +166,9 @@ int main(int argc, char** argv) {
     const std::optional<Options> options = parse(application);
     if (!options) {
         return 2;
+    }
+    if (options->language) {
+        ui::applyLanguage(application, *options->language);
     }
     ui::applyAppearance(application, options->appearance.value_or(document::Session().appearance()));
     ui::KeyGuard guard;

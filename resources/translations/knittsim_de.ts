@@ -72,11 +72,11 @@
     </message>
     <message>
         <source>%1 wales in 10 cm</source>
-        <translation type="unfinished" />
+        <translation>%1 Stäbchen auf 10 cm</translation>
     </message>
     <message>
         <source>%1 courses in 10 cm</source>
-        <translation type="unfinished" />
+        <translation>%1 Reihen auf 10 cm</translation>
     </message>
 </context>
 <context>
@@ -667,15 +667,15 @@
     </message>
     <message>
         <source>Settling</source>
-        <translation type="unfinished" />
+        <translation>Entspannt sich</translation>
     </message>
     <message>
         <source>Paused</source>
-        <translation type="unfinished" />
+        <translation>Angehalten</translation>
     </message>
     <message>
         <source>At rest</source>
-        <translation type="unfinished" />
+        <translation>In Ruhe</translation>
     </message>
     <message>
         <source>Stopped</source>
@@ -791,7 +791,7 @@
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished" />
+        <translation type="unfinished">%1: %2 {1,?}</translation>
     </message>
     <message>
         <source>Linear density</source>
@@ -1442,6 +1442,13 @@ MIT licence. Copyright the KnittSim authors.</source>
     <message>
         <source>Choose a word (up and down)</source>
         <translation>Ein Wort wählen (auf und ab)</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::HandoutSink</name>
+    <message>
+        <source>The hand-out cannot be written to %1.</source>
+        <translation>Der Handzettel kann nicht nach %1 geschrieben werden.</translation>
     </message>
 </context>
 <context>
@@ -2310,6 +2317,62 @@ MIT licence. Copyright the KnittSim authors.</source>
         <source>Lan&amp;guage</source>
         <translation>&amp;Sprache</translation>
     </message>
+    <message>
+        <source>Record an &amp;animation…</source>
+        <translation>&amp;Animation aufzeichnen…</translation>
+    </message>
+    <message>
+        <source>Record an animation</source>
+        <translation>Animation aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Animated WebP (*.webp)</source>
+        <translation>Animiertes WebP (*.webp)</translation>
+    </message>
+    <message>
+        <source>Record &amp;pictures…</source>
+        <translation>&amp;Bilder aufzeichnen…</translation>
+    </message>
+    <message>
+        <source>Record pictures: name of a new folder</source>
+        <translation>Bilder aufzeichnen: Name eines neuen Ordners</translation>
+    </message>
+    <message>
+        <source>Folder of PNG files (*)</source>
+        <translation>Ordner mit PNG-Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Print a &amp;hand-out…</source>
+        <translation>&amp;Handzettel drucken…</translation>
+    </message>
+    <message>
+        <source>Print a hand-out</source>
+        <translation>Handzettel drucken</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The range to play, else the bookmarks or the stops of the lesson</source>
+        <translation>Der zu spielende Teil, sonst die Lesezeichen oder die Halte der Lektion</translation>
+    </message>
+    <message>
+        <source>The empty machine.</source>
+        <translation>Die leere Maschine.</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen yet: set bookmarks (Ctrl+B), mark a range (Shift+Home, Shift+End) or begin a lesson.</source>
+        <translation>Noch ist nichts gewählt: setze Lesezeichen (Strg+B), markiere einen Teil (Umschalt+Pos1, Umschalt+Ende) oder beginne eine Lektion.</translation>
+    </message>
+    <message>
+        <source>Recording %1 steps</source>
+        <translation>%1 Schritte werden aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::NeedleBeds</name>
@@ -2398,7 +2461,7 @@ MIT licence. Copyright the KnittSim authors.</source>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished" />
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Stops opening this file; what was open stays</source>
@@ -2477,11 +2540,11 @@ MIT licence. Copyright the KnittSim authors.</source>
     </message>
     <message>
         <source>course</source>
-        <translation type="unfinished" />
+        <translation>Reihe</translation>
     </message>
     <message>
         <source>wale</source>
-        <translation type="unfinished" />
+        <translation>Stäbchen</translation>
     </message>
 </context>
 <context>
@@ -2505,6 +2568,21 @@ MIT licence. Copyright the KnittSim authors.</source>
     <message>
         <source>Nothing is open.</source>
         <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::PngSink</name>
+    <message>
+        <source>%1 exists already; choose another name.</source>
+        <translation>%1 gibt es schon; wähle einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>A picture cannot be written to %1.</source>
+        <translation>Ein Bild kann nicht nach %1 geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The pictures cannot be written to %1.</source>
+        <translation>Die Bilder können nicht nach %1 geschrieben werden.</translation>
     </message>
 </context>
 <context>
@@ -2651,6 +2729,13 @@ MIT licence. Copyright the KnittSim authors.</source>
     <message>
         <source>Strain (%)</source>
         <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::Recorder</name>
+    <message>
+        <source>There is no step to record.</source>
+        <translation>Es gibt keinen Schritt aufzuzeichnen.</translation>
     </message>
 </context>
 <context>
@@ -3106,6 +3191,17 @@ MIT licence. Copyright the KnittSim authors.</source>
     <message>
         <source>The empty machine.</source>
         <translation>Die leere Maschine.</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::WebpSink</name>
+    <message>
+        <source>The animation cannot be written to %1.</source>
+        <translation>Die Animation kann nicht nach %1 geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The animation could not be made: its pictures are too large or there are none.</source>
+        <translation>Die Animation konnte nicht gemacht werden: ihre Bilder sind zu groß oder es gibt keine.</translation>
     </message>
 </context>
 <context>

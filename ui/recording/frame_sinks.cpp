@@ -38,7 +38,10 @@ public:
     }
 
     QString finish() override {
-        if (m_error.isEmpty() && !QDir().rename(m_hidden.path(), m_folder)) {
+        constexpr auto kOpen = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner | QFile::ReadGroup |
+                               QFile::ExeGroup | QFile::ReadOther | QFile::ExeOther;
+        if (m_error.isEmpty() &&
+            !(QFile::setPermissions(m_hidden.path(), kOpen) && QDir().rename(m_hidden.path(), m_folder))) {
             m_error = tr("The pictures cannot be written to %1.").arg(m_folder);
         }
         return m_error; // the hidden folder goes with this object, if it is still there

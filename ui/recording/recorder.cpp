@@ -5,7 +5,7 @@ namespace knittsim::ui {
 namespace {
 
 constexpr int kLookMs = 15;
-constexpr int kLooks = 3; ///< what follows a step (curves, frames) comes within these
+constexpr int kLooks = 5; ///< what follows a step (curves, frames) comes within these
 
 } // namespace
 

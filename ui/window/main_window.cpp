@@ -355,7 +355,7 @@ void MainWindow::showGallery() {
     }
     m_toolBar->hide();
     m_status->hide();
-    applyContrast(*qApp, false, m_session.appearance());
+    applyContrast(*qApp, false);
     m_gallery->setRecentFiles(m_session.recentFiles());
 }
 

@@ -57,8 +57,9 @@ public:
     void applyLayout(Layout layout);
     /// Copies a machine profile into the user's folder and works on it; says what is wrong otherwise.
     void addMachine(const QString& path);
-    /// Begins a lesson of one's own; says what is wrong with it otherwise.
-    void openLesson(const QString& path);
+    /// Begins a lesson: one that came along, by id, or a file of one's own; says what is wrong with it
+    /// otherwise.
+    void openLesson(const QString& idOrPath);
     /// Writes the report of the last file tried, in the background.
     void exportReport(const QString& path);
 

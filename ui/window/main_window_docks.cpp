@@ -158,7 +158,7 @@ void MainWindow::takeClass() {
     m_status->setVisible(!teaching);
     statusBar()->setVisible(!teaching);
     setProperty(KeyGuard::kStepsEverywhere, teaching);
-    applyContrast(*qApp, teaching, m_session.appearance());
+    applyContrast(*qApp, teaching);
 }
 
 void MainWindow::applyLayout(Layout layout) {

@@ -102,7 +102,11 @@ void MainWindow::record(const QString& path) {
     const int menu = menuBar()->height();
     auto* recorder = new Recorder(
         m_document, std::move(steps), std::move(sink), [this] { return m_fabric->isUpToDate(); },
-        [this, menu] { return grab(rect().adjusted(0, menu, 0, 0)).toImage(); }, this);
+        [this, menu] {
+            m_fabric->picture(); // draws it, where that happens on a thread
+            return grab(rect().adjusted(0, menu, 0, 0)).toImage();
+        },
+        this);
     auto* progress = new QProgressDialog(tr("Recording %1 steps").arg(count), tr("Cancel"), 0, count, this);
     progress->setObjectName(QStringLiteral("recordProgress"));
     progress->setWindowModality(Qt::WindowModal);

@@ -16,6 +16,8 @@
 #include <QMenu>
 #include <QMenuBar>
 
+#include <algorithm>
+
 namespace knittsim::ui {
 
 void MainWindow::buildTeaching() {
@@ -89,6 +91,12 @@ void MainWindow::chooseLesson() {
 }
 
 void MainWindow::openLesson(const QString& path) {
+    const auto& known = m_lesson->lessons();
+    const auto found = std::ranges::find(known, path.toStdString(), &lesson::Lesson::id);
+    if (found != known.end()) {
+        m_lesson->begin(static_cast<int>(found - known.begin()));
+        return;
+    }
     const Diagnostics problems = m_lesson->openFile(path);
     if (!problems.empty()) {
         const QString place = document::placeText(problems.front().place);

@@ -60,7 +60,7 @@ LessonPanel::LessonPanel(document::Document& document, QWidget* parent)
     m_text->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     QFont large = font();
-    large.setPointSizeF(1.25 * large.pointSizeF());
+    large.setPointSizeF(1.5 * large.pointSizeF());
     m_text->setFont(large);
     large.setBold(true);
     m_title->setFont(large);

@@ -46,7 +46,9 @@ QPalette makePalette(const Tones& t) {
     return p;
 }
 
-constexpr const char* kContrast = "highContrast"; // of the application
+// Properties of the application.
+constexpr const char* kContrast = "highContrast";
+constexpr const char* kAppearance = "appearance";
 
 QPalette sharpened(QPalette palette) {
     const bool dark = isDark(palette);
@@ -107,6 +109,7 @@ bool isDark(const QPalette& palette) {
 
 void applyAppearance(QApplication& application, document::Appearance appearance) {
     static const bool kSystemDark = isDark(application.palette());
+    application.setProperty(kAppearance, static_cast<int>(appearance));
     const bool dark = appearance == document::Appearance::Dark ||
                       (appearance == document::Appearance::System && kSystemDark);
     if (application.style()->name() != QLatin1String("fusion")) {
@@ -118,10 +121,11 @@ void applyAppearance(QApplication& application, document::Appearance appearance)
     QToolTip::setPalette(palette);
 }
 
-void applyContrast(QApplication& application, bool on, document::Appearance appearance) {
+void applyContrast(QApplication& application, bool on) {
     if (application.property(kContrast).toBool() != on) {
         application.setProperty(kContrast, on);
-        applyAppearance(application, appearance);
+        applyAppearance(application,
+                        static_cast<document::Appearance>(application.property(kAppearance).toInt()));
     }
 }
 
