@@ -73,8 +73,8 @@ nlohmann::ordered_json inspect(const Loaded& loaded) {
             {"stitches", report.certificate.pairs},
             {"pull_throughs", report.certificate.failures.size()},
             {"smallest_distance_mm", report.nearest.mm},
-            {"spans", report.spans},
-            {"spans_as_stored", report.spansAsStored}};
+            {"pieces", report.pieces},
+            {"pieces_as_stored", report.piecesAsStored}};
 }
 
 void printText(const nlohmann::ordered_json& info) {
@@ -111,9 +111,9 @@ void printText(const nlohmann::ordered_json& info) {
             curves["crossings_found"].dump(), curves["crossings_expected"].dump(),
             curves["crossing_faults"].dump(), curves["stitches"].dump(), curves["pull_throughs"].dump());
         fmt::print(
-            "                  strands {:.3f} mm apart or more; {} of {} spans as long as their yarn\n",
-            curves["smallest_distance_mm"].get<double>(), curves["spans_as_stored"].dump(),
-            curves["spans"].dump());
+            "                  strands {:.3f} mm apart or more; {} of {} pieces as long as their yarn\n",
+            curves["smallest_distance_mm"].get<double>(), curves["pieces_as_stored"].dump(),
+            curves["pieces"].dump());
     }
 }
 

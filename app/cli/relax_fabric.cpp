@@ -50,15 +50,24 @@ void addAudit(nlohmann::ordered_json& r, const Loaded& loaded, const YarnAudit& 
     r["penetrations"] = audit.coreOverlaps;
     r["max_penetration_mm"] = audit.deepestOverlapMm;
     r["nearest_strands"] = {loopJson(loaded, audit.worstLoop), loopJson(loaded, audit.worstOther)};
-    r["cut_corners"] = audit.cutCorners;
-    r["doubtful_loops"] = audit.pullThroughs.size();
+    r["passed_strands"] = audit.passThroughs();
     nlohmann::ordered_json places = nlohmann::ordered_json::array();
-    for (std::size_t i = 0; i < std::min(kPlaces, audit.pullThroughs.size()); ++i) {
-        places.push_back(loopJson(loaded, audit.pullThroughs[i].loop));
+    const auto add = [&](machine::LoopIndex loop, machine::LoopIndex other) {
+        if (places.size() < kPlaces) {
+            places.push_back({loopJson(loaded, loop), loopJson(loaded, other)});
+        }
+    };
+    for (const geometry::PullThrough& wrong : audit.laidWrong) {
+        add(wrong.loop, wrong.parent);
     }
-    r["doubtful_places"] = std::move(places);
+    for (const YarnAudit::Passage& passage : audit.passages) {
+        add(passage.loop, passage.other);
+    }
+    r["passed_places"] = std::move(places);
     r["crossings_expected"] = audit.expectedCrossings;
+    r["crossings_laid"] = audit.laidCrossings;
     r["crossings_found"] = audit.foundCrossings;
+    r["folded_loops"] = audit.foldedLoops;
 }
 
 nlohmann::ordered_json report(const Loaded& loaded, const YarnSettling& settling,
@@ -80,6 +89,7 @@ nlohmann::ordered_json report(const Loaded& loaded, const YarnSettling& settling
             {"residual", rest.residual},
             {"steps", rest.steps},
             {"evaluations", rest.evaluations},
+            {"removed_loops", loaded.removedLoops},
             {"nodes", settling.yarns().chains.nodeCount()},
             {"width_mm", inner.waleSpacingMm * whole.wales},
             {"height_mm", inner.courseSpacingMm * whole.courses},
@@ -110,12 +120,17 @@ void printText(const nlohmann::ordered_json& r) {
         "  wale spacing {:.3f} mm, course spacing {:.3f} mm, loop length {:.2f} mm, kw {:.2f}, kc {:.2f}\n",
         number("wale_spacing_mm"), number("course_spacing_mm"), number("loop_length_mm"), number("kw"),
         number("kc"));
-    fmt::print("  {} core overlaps, {} loops whose topology the shape does not show, {} of {} crossings\n",
-               r["penetrations"].get<int>(), r["doubtful_loops"].get<int>(), r["crossings_found"].get<int>(),
+    if (r["removed_loops"].get<std::size_t>() > 0) {
+        fmt::print("  {} loops have run; their yarn went to the rungs\n",
+                   r["removed_loops"].get<std::size_t>());
+    }
+    fmt::print("  {} core overlaps; {} strands passed through others on the way from {} of {} crossings\n",
+               r["penetrations"].get<int>(), r["passed_strands"].get<int>(), r["crossings_laid"].get<int>(),
                r["crossings_expected"].get<int>());
-    for (const auto& place : r["doubtful_places"]) {
-        fmt::print("    in doubt: {} in course {}\n", place["needle"].get<std::string>(),
-                   place["course"].get<int>());
+    for (const auto& place : r["passed_places"]) {
+        fmt::print("    passed: {} in course {}, {} in course {}\n", place[0]["needle"].get<std::string>(),
+                   place[0]["course"].get<int>(), place[1]["needle"].get<std::string>(),
+                   place[1]["course"].get<int>());
     }
 }
 

@@ -1,9 +1,12 @@
 #include "app/cli/commands.h"
 #include "app/cli/load.h"
+#include "app/cli/relax_fabric.h"
 #include "app/cli/settle.h"
 #include "core/base/message_table.h"
+#include "core/simulation/settling_record.h"
 #include "ui/render/colour_scale.h"
 #include "ui/render/offscreen.h"
+#include "ui/render/picture_sequence.h"
 
 #include <fmt/core.h>
 
@@ -11,6 +14,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <unistd.h>
 
 namespace knittsim::cli {
 
@@ -30,6 +34,8 @@ struct RenderOptions {
     bool dark = false;
     bool transparent = false;
     ColourBy colour = ColourBy::Yarn;
+    bool noFuzz = false;
+    std::string frames; ///< folder; none when empty
 };
 
 bool parseSize(const std::string& text, int& width, int& height) {
@@ -53,6 +59,34 @@ void print(const Diagnostics& diagnostics) {
     }
 }
 
+/// The way of the fabric from the machine to rest, as numbered pictures.
+int drawFrames(const Loaded& loaded, const RenderOptions& options, const render::RenderRequest& look) {
+    const simulation::RecordOptions record{.yarn = options.settle.relax == "yarn",
+                                           .surroundings = surroundingsOf(options.settle.surroundings),
+                                           .maxSeconds = options.settle.maxSeconds};
+    const auto shapes = simulation::recordSettling(loaded.fabric, loaded.yarns, record);
+    print(shapes.diagnostics());
+    if (!shapes) {
+        return kUnusable;
+    }
+    const bool told = isatty(STDERR_FILENO) != 0;
+    const auto written = render::writeSequence(options.frames, look, shapes.value(), [told](double share) {
+        if (told) {
+            fmt::print(stderr, "\rdrawing {:3.0f} %", 100 * share);
+        }
+        return true;
+    });
+    if (told) {
+        fmt::print(stderr, "\r             \r");
+    }
+    print(written.diagnostics());
+    if (!written) {
+        return kUnusable;
+    }
+    fmt::print("{} pictures in {}\n", shapes->size(), options.frames);
+    return hasErrors(loaded.timeline->diagnostics()) ? kProblems : kFine;
+}
+
 int runRender(const RenderOptions& options) {
     render::RenderRequest request;
     if (!parseSize(options.size, request.width, request.height)) {
@@ -69,9 +103,29 @@ int runRender(const RenderOptions& options) {
         fmt::print(stderr, "--colour tension needs a relaxed fabric, --colour contact --relax yarn\n");
         return kUnusable;
     }
+    if (options.picture.empty() && options.frames.empty()) {
+        fmt::print(stderr, "-o OUT.png or --frames FOLDER is needed\n");
+        return kUnusable;
+    }
+    if (!options.frames.empty() && (options.settle.relax == "none" || options.colour != ColourBy::Yarn)) {
+        fmt::print(stderr, "--frames needs --relax bonding-points or yarn, and no --colour\n");
+        return kUnusable;
+    }
     const auto loaded = load(options.load);
     if (!loaded) {
         return kUnusable;
+    }
+    for (const yarn::Yarn& yarn : loaded->yarns) {
+        request.looks.push_back(render::lookOf(yarn));
+    }
+    request.fabric = loaded->fabric.get();
+    request.style = options.style;
+    request.side = options.side;
+    request.hair = !options.noFuzz;
+    request.dark = options.dark;
+    request.transparent = options.transparent;
+    if (!options.frames.empty()) {
+        return drawFrames(*loaded, options, request);
     }
     const auto settled = settle(*loaded, options.settle);
     if (!settled) {
@@ -83,14 +137,6 @@ int runRender(const RenderOptions& options) {
     }
     request.curves = settled->curves ? &*settled->curves : nullptr;
     request.positions = settled->places;
-    request.fabric = loaded->fabric.get();
-    for (const yarn::Yarn& yarn : loaded->yarns) {
-        request.looks.push_back(render::lookOf(yarn));
-    }
-    request.style = options.style;
-    request.side = options.side;
-    request.dark = options.dark;
-    request.transparent = options.transparent;
     const auto image = render::renderFabric(request);
     print(image.diagnostics());
     if (!image) {
@@ -117,7 +163,11 @@ void addRender(CLI::App& app, Command& chosen) {
     auto options = std::make_shared<RenderOptions>();
     CLI::App* command = app.add_subcommand("render", "Draw the fabric into a PNG file; needs no display");
     command->add_option("file", options->load.file, "machine file")->required();
-    command->add_option("-o", options->picture, "PNG file to write")->required();
+    auto* picture = command->add_option("-o", options->picture, "PNG file to write");
+    auto* frames =
+        command->add_option("--frames", options->frames,
+                            "folder to make: the settling as numbered PNG pictures (--relax says which)");
+    frames->excludes(picture);
     command->add_option("--style", options->style, "strokes, yarn or mesh")
         ->transform(CLI::CheckedTransformer(kStyles));
     command
@@ -128,6 +178,7 @@ void addRender(CLI::App& app, Command& chosen) {
     command->add_option("--size", options->size, "WxH in pixels")->capture_default_str();
     addSettling(*command, options->settle);
     addFabric(*command, options->load);
+    command->add_flag("--no-fuzz", options->noFuzz, "no loose fibres around hairy yarn");
     command->add_flag("--dark", options->dark, "dark background");
     command->add_flag("--transparent", options->transparent, "no background");
     command->callback([&chosen, options] { chosen = [options] { return runRender(*options); }; });

@@ -212,6 +212,7 @@ constexpr auto kMessages = std::to_array<Message>({
     {"KS0403", "shader", "A shader does not build: {0}", "Check the folder resources/shaders."},
     {"KS0404", "no-picture", "The picture cannot be made: {0}.", "Choose a smaller size or a smaller part."},
     {"KS0405", "not-png", "The file is not a PNG picture: {0}.", "Choose another file."},
+    {"KS0406", "not-settled", "The fabric cannot be settled as yarn: {0}.", "Settle bonding points instead."},
 
     {"KS0501", "chart-size", "The chart has {0} wales, {1} courses and {2} cells.",
      "Give every course one cell for each wale."},

@@ -13,6 +13,7 @@ constexpr float kWidestClasp = 0.30F;  ///< in chords
 constexpr float kHighestClasp = 0.20F; ///< in rises
 constexpr float kFitRate = 0.4F;       ///< smaller is slower and safer
 constexpr float kLeastSquare = 1e-6F;  ///< mm^2
+constexpr float kTightest = 0.85F;     ///< a turn that is drawn in more would miss the legs beside it
 constexpr float kLongestReach = 0.33F; ///< of the way
 
 std::size_t at(fabric::EntryIndex entry) {
@@ -108,6 +109,14 @@ void CurvePlan::fitArcs(const FrameField& frames, std::span<const double> length
             arc.gain = std::sqrt(std::max(kLeastSquare, now * now + kFitRate * missing)) / slackMm;
         }
     }
+    for (Reach& reach : m_reaches) {
+        if (reach.turnMm > 0) {
+            const auto point =
+                static_cast<std::size_t>(m_pointOfControl[static_cast<std::size_t>(reach.control)]);
+            const float ratio = reach.turnMm / static_cast<float>(lengthMm[point]);
+            reach.tightness = std::clamp(reach.tightness * ratio, kTightest, 1.0F);
+        }
+    }
 }
 
 void CurvePlan::placeArcs(const FrameField& frames, std::vector<ControlValue>& controls) const {
@@ -137,8 +146,8 @@ void CurvePlan::placeReaches(const FrameField& frames, std::vector<ControlValue>
         const float length = way.norm();
         const float t = length > 0 ? std::min(kLongestReach, reach.reachMm / length) : 0;
         const Vec3f& normal = frames.normal()[e];
-        const Vec3f place = from + t * way + reach.across * frames.across()[e] -
-                            reach.dipMm * frames.along()[e] + reach.out * normal;
+        const Vec3f place = from + t * way + reach.tightness * reach.across * frames.across()[e] -
+                            reach.tightness * reach.dipMm * frames.along()[e] + reach.out * normal;
         put(controls, reach.control, place, frames.relief()[e] + reach.out, normal);
     }
 }

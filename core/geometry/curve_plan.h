@@ -99,6 +99,8 @@ private:
         float dipMm = 0;
         float across = 0;
         float out = 0;
+        float turnMm = 0;    ///< yarn of the turn that it belongs to, 0 for none
+        float tightness = 1; ///< factor on dip and across, as fitted to that
     };
 
     std::vector<YarnRange> m_yarns;

@@ -366,7 +366,9 @@ void CurvePlanner::addSinker(const Station& a, const Station& b) {
 void CurvePlanner::addTurn(const Station& a, const Station& b) {
     const float wait = waitOut(a, b);
     addTurnControl(a, a, kTurnOut + wait, kTurnDown);
+    m_plan.m_reaches.back().turnMm = stored(a);
     addTurnControl(b, a, kTurnBackOut + wait, kTurnBackDown);
+    m_plan.m_reaches.back().turnMm = stored(a);
 }
 
 /// A yarn that waits for some courses runs outside of those that turn meanwhile, diameters.

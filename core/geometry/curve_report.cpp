@@ -10,22 +10,24 @@ namespace knittsim::geometry {
 namespace {
 
 constexpr double kNeighbours = 3; ///< diameters along a yarn
-constexpr double kAsStored = 0.01;
+constexpr float kAsStored = 0.01F;
 
 void compareLengths(const fabric::Fabric& fabric, const YarnCurves& curves, CurveReport& report) {
-    std::vector<double> length = spanLengths(curves);
-    length.resize(fabric.points.size(), 0);
-    const auto place = [&](std::size_t p) -> const Vec3& {
-        return fabric.machinePositions[static_cast<std::size_t>(fabric.points[p].entry)];
+    const auto place = [&](fabric::PointIndex p) -> const Vec3& {
+        const fabric::EntryIndex entry = fabric.points[static_cast<std::size_t>(p)].entry;
+        return fabric.machinePositions[static_cast<std::size_t>(entry)];
     };
-    for (const fabric::Yarn& yarn : fabric.yarns) {
-        for (fabric::PointIndex p = yarn.first; p + 1 < yarn.first + yarn.count; ++p) {
-            const auto i = static_cast<std::size_t>(p);
-            const double stored = fabric.lengths[i];
-            if ((place(i + 1) - place(i)).norm() < stored) {
-                ++report.spans;
-                report.spansAsStored += std::abs(length[i] - stored) <= kAsStored * stored ? 1 : 0;
-            }
+    for (const YarnPiece& piece : yarnPieces(fabric, curves)) {
+        const auto first = static_cast<std::size_t>(piece.firstNode);
+        const auto last = static_cast<std::size_t>(piece.lastNode);
+        double shortest = 0;
+        for (fabric::PointIndex p = curves.point[first]; p < curves.point[last]; ++p) {
+            shortest += (place(p + 1) - place(p)).norm();
+        }
+        if (shortest < static_cast<double>(piece.storedMm)) {
+            ++report.pieces;
+            const float off = std::abs(curves.arc[last] - curves.arc[first] - piece.storedMm);
+            report.piecesAsStored += off <= kAsStored * piece.storedMm ? 1 : 0;
         }
     }
 }

@@ -11,9 +11,8 @@ struct CurveReport {
     CrossingAudit crossings;
     TopologyCertificate certificate;
     StrandDistance nearest; ///< of strands more than three diameters of yarn apart
-    std::size_t spans =
-        0; ///< pieces between neighbouring bonding points that are nearer than their yarn is long
-    std::size_t spansAsStored = 0; ///< of these, as long as the stored yarn within 1 %
+    std::size_t pieces = 0; ///< of yarn between feet and heads that lie nearer together than it is long
+    std::size_t piecesAsStored = 0; ///< of these, as long as the stored yarn within 1 %
 };
 
 /// Curves at Fabric::machinePositions with CurveOptions::exact. `diameterMm` by carrier.

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 
 namespace knittsim::geometry {
 
@@ -18,6 +19,8 @@ struct Nodes {
     std::int32_t first = -1;
     std::int32_t middle = -1;
     std::int32_t last = -1;
+    std::int32_t footFirst = -1; ///< first ones of its feet
+    std::int32_t footLast = -1;
     std::int32_t spanFirst = -1; ///< of the part that is closed with a chord
     std::int32_t spanLast = -1;
 };
@@ -83,6 +86,13 @@ private:
         nodes.first = nodes.first < 0 ? node : nodes.first;
         nodes.last = node;
         const fabric::Loop& loop = m_fabric.loops[static_cast<std::size_t>(point.loop)];
+        const PointIndex at = m_curves.point[static_cast<std::size_t>(node)];
+        if (nodes.footFirst < 0 && at == std::min(loop.footLeft, loop.footRight)) {
+            nodes.footFirst = node;
+        }
+        if (nodes.footLast < 0 && at == std::max(loop.footLeft, loop.footRight)) {
+            nodes.footLast = node;
+        }
         if (nodes.middle < 0 && p >= std::max(loop.headLeft, loop.headRight)) {
             nodes.middle = node;
         }
@@ -115,22 +125,50 @@ private:
         if (own.middle < 0 || old.middle < 0) {
             return found;
         }
-        // Where a loop is twisted a fan can fold: another apex spans it as well.
-        Vec3 centre = Vec3::Zero();
-        for (std::int32_t n = old.spanFirst; n <= old.spanLast; ++n) {
-            centre += at(n);
-        }
-        centre /= static_cast<double>(old.spanLast - old.spanFirst + 1);
-        const Vec3 chord = 0.5 * (at(old.spanFirst) + at(old.spanLast));
-        const Vec3 head = at(old.middle);
+        // Where a loop is twisted a fan can fold: another apex spans it as well. Where it has no feet the
+        // yarn may turn up beside it, which does not belong to it. A yarn from bed to bed can come through
+        // the fan before its own half of the sinker begins.
         const int sign = pullSign(m_fabric, loop);
-        for (const Vec3& apex : {centre, Vec3(0.5 * (chord + head)), chord, head}) {
-            count(found, own, old, apex);
-            if (found.in == sign && found.out == -sign) {
-                break;
+        for (const Nodes& span : {old, shortened(old)}) {
+            for (const Nodes& strands : {own, withSinkers(own)}) {
+                for (const Vec3& apex : apexes(span)) {
+                    count(found, strands, span, apex);
+                    if (found.in == sign && found.out == -sign) {
+                        return found;
+                    }
+                }
             }
         }
         return found;
+    }
+
+    std::array<Vec3, 4> apexes(const Nodes& span) const {
+        Vec3 centre = Vec3::Zero();
+        for (std::int32_t n = span.spanFirst; n <= span.spanLast; ++n) {
+            centre += at(n);
+        }
+        centre /= static_cast<double>(span.spanLast - span.spanFirst + 1);
+        const Vec3 chord = 0.5 * (at(span.spanFirst) + at(span.spanLast));
+        const Vec3 head = at(span.middle);
+        return {centre, 0.5 * (chord + head), chord, head};
+    }
+
+    Nodes shortened(const Nodes& loop) const {
+        Nodes shorter = loop;
+        shorter.spanFirst += (loop.middle - loop.spanFirst) / 4;
+        shorter.spanLast -= (loop.spanLast - loop.middle) / 4;
+        return shorter;
+    }
+
+    /// With the whole sinkers, as far as its own halves tell how long they are.
+    Nodes withSinkers(const Nodes& loop) const {
+        const YarnCurves::Range& yarn = m_curves.yarns[yarnAt(m_curves, loop.first)];
+        Nodes longer = loop;
+        if (loop.footFirst >= 0 && loop.footLast >= 0) {
+            longer.first = std::max(yarn.first, loop.first - (loop.footFirst - loop.first));
+            longer.last = std::min(yarn.first + yarn.count - 1, loop.last + (loop.last - loop.footLast));
+        }
+        return longer;
     }
 
     void count(PullThrough& found, const Nodes& own, const Nodes& old, const Vec3& apex) const {

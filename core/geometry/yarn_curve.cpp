@@ -100,6 +100,31 @@ std::size_t yarnAt(const YarnCurves& curves, std::int32_t node) {
     return static_cast<std::size_t>(after - curves.yarns.begin()) - 1;
 }
 
+std::vector<YarnPiece> yarnPieces(const fabric::Fabric& fabric, const YarnCurves& curves) {
+    std::vector<YarnPiece> pieces;
+    for (const YarnCurves::Range& yarn : curves.yarns) {
+        std::int32_t begin = -1;
+        fabric::PointIndex before = -1;
+        double stored = 0;
+        for (std::int32_t n = yarn.first; n < yarn.first + yarn.count; ++n) {
+            const fabric::PointIndex p = curves.point[static_cast<std::size_t>(n)];
+            if (p == before) {
+                continue;
+            }
+            stored += before < 0 ? 0 : fabric.lengths[static_cast<std::size_t>(before)];
+            before = p;
+            if (fabric.points[static_cast<std::size_t>(p)].role != fabric::Role::Crossing) {
+                if (begin >= 0) {
+                    pieces.push_back({begin, n, static_cast<float>(stored)});
+                }
+                begin = n;
+                stored = 0;
+            }
+        }
+    }
+    return pieces;
+}
+
 std::vector<double> spanLengths(const YarnCurves& curves) {
     std::vector<double> length;
     for (const YarnCurves::Range& yarn : curves.yarns) {
@@ -118,8 +143,9 @@ YarnCurves buildYarnCurves(const fabric::Fabric& fabric, std::span<const float> 
     YarnCurveBuilder builder(fabric, diameterMm, options);
     if (options.exact) {
         builder.makeExact(fabric, positions);
+    } else {
+        builder.update(positions);
     }
-    builder.update(positions);
     return builder.curves();
 }
 

@@ -38,6 +38,17 @@ struct CurveOptions {
 YarnCurves buildYarnCurves(const fabric::Fabric& fabric, std::span<const float> positions,
                            std::span<const double> diameterMm, const CurveOptions& options = {});
 
+/// Nodes [firstNode, lastNode] of one yarn and the yarn that belongs between them.
+struct YarnPiece {
+    std::int32_t firstNode = 0;
+    std::int32_t lastNode = 0;
+    float storedMm = 0;
+};
+
+/// The yarn between neighbouring feet and heads. Where others cross it in between is for it to find: a
+/// crossing holds no yarn.
+std::vector<YarnPiece> yarnPieces(const fabric::Fabric& fabric, const YarnCurves& curves);
+
 /// Index into `yarns` of the yarn that a node lies on.
 std::size_t yarnAt(const YarnCurves& curves, std::int32_t node);
 

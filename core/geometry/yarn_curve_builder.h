@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/curve_plan.h"
+#include "core/geometry/depth_fit.h"
 #include "core/geometry/frame_field.h"
 #include "core/geometry/projected_crossings.h"
 #include "core/geometry/yarn_curve.h"
@@ -19,24 +20,27 @@ public:
     /// Curves at `positions` (3 per entry, mm). Valid until the next call.
     const YarnCurves& update(std::span<const float> positions);
 
-    /// Makes the curves exact at `positions`, a shape that lies flat, such as the machine's: arcs get the
-    /// stored lengths of their yarn as far as they have room; strands are raised and lowered until at every
-    /// crossing of the projection the one that the fabric's books name lies in front by at least a third of
-    /// a diameter. Later updates keep both. Returns the rounds that the second took, -1 when some crossings
-    /// stay wrong (see auditCrossings). Some tenths of a second for 10,000 loops.
+    /// Curves at `positions`, a shape that lies flat, such as the machine's, made exact: the yarn between
+    /// feet and heads is as long as stored within 1 % where it has room; at every crossing of the projection
+    /// the strand that the fabric's books name lies in front by at least a third of a diameter. Holds until
+    /// the next update(). Returns the rounds that it took, -1 when some crossings stay wrong (see
+    /// auditCrossings). Some tenths of a second for 10,000 loops.
     int makeExact(const fabric::Fabric& fabric, std::span<const float> positions);
 
-    /// One round of the second part of makeExact(). Returns how many crossings were not as they should be
-    /// before it.
+    /// Raises and lowers strands at crossings whose order is wrong at `positions`, a shape that lies flat;
+    /// later updates keep that. Returns how many were wrong before.
     std::size_t orderStrands(const fabric::Fabric& fabric, std::span<const float> positions);
 
     const YarnCurves& curves() const { return m_curves; }
     const FrameField& frames() const { return m_frames; }
 
 private:
-    void fitLengths(std::span<const float> positions);
-    std::size_t raise(const std::vector<ProjectedCrossing>& crossings, const std::vector<std::int8_t>& order);
-    std::size_t controlAt(std::int32_t node) const;
+    struct Orders {
+        std::vector<DepthFit::Order> orders;
+        std::size_t wrong = 0;
+    };
+    Orders ordersOf(const fabric::Fabric& fabric) const;
+    std::vector<DepthFit::Spline> splines() const;
     float diameterAt(std::int32_t node) const;
     void sample(std::size_t firstControl, std::size_t lastControl);
     void measureArc();

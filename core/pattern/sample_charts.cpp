@@ -92,6 +92,23 @@ Chart laceChart() {
     return chart;
 }
 
+Chart ladderChart() {
+    constexpr int kOpened = 10; // course
+    Chart chart(29, 36);
+    chart.yarns = {kPlum};
+    for (const int wale : {5, 6, 22, 23}) {
+        for (int course = 0; course < chart.height(); ++course) {
+            chart.at(wale, course).stitch = Stitch::Empty;
+        }
+    }
+    // One that begins in the middle: its loop goes to the next wale, and its needle rests from there on.
+    addMoves(chart.course(kOpened), {{14, 15}});
+    for (int course = kOpened; course < chart.height(); ++course) {
+        chart.at(14, course).stitch = Stitch::Empty;
+    }
+    return chart;
+}
+
 Chart tuckChart() {
     Chart chart(29, 40);
     chart.yarns = {kCream, kForest};

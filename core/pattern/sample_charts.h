@@ -9,6 +9,7 @@ namespace knittsim::pattern {
 Chart cableChart(Front front);
 Chart braidChart();
 Chart laceChart();
+Chart ladderChart();
 Chart tuckChart();
 Chart slipChart();
 Chart floatJacquardChart();

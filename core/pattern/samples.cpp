@@ -60,6 +60,8 @@ const std::vector<Entry>& entries() {
          [] { return cableChart(Front::Left); }},
         {{"cable-braid", "Braid", "Three strands of two wales, crossed right and left in turn."}, braidChart},
         {{"lace", "Lace", "Loops stacked on their neighbours leave eyelets in lines that meet."}, laceChart},
+        {{"ladder", "Ladders", "Needles out of work leave rungs of bare yarn between the stitches."},
+         ladderChart},
         {{"tuck", "Tuck", "Held loops take two tucks each and push the courses apart."}, tuckChart},
         {{"slip", "Slip stitch", "The yarn misses held loops, which draw two colours over each other."},
          slipChart},

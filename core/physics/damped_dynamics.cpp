@@ -20,13 +20,15 @@ Vector byCoordinate(const Vector& byEntry) {
 
 } // namespace
 
-void DampedDynamics::attach(System& model, const Motion& motion) {
+void DampedDynamics::attach(System& model, const Motion& motion, const std::optional<Damping>& damping) {
     m_model = &model;
     m_model->linearise(motion.positions);
     m_inverseMass = byCoordinate(model.mass()).cwiseInverse();
     m_frequency = highestFrequency();
     m_inverseMass /= m_frequency * m_frequency;
-    m_massDamping = std::numbers::pi / std::sqrt(static_cast<double>(model.entryCount()));
+    m_massDamping = damping ? damping->massRate / m_frequency
+                            : std::numbers::pi / std::sqrt(static_cast<double>(model.entryCount()));
+    m_stiffnessDamping = damping ? damping->stiffnessTime * m_frequency : 1;
     m_stableStep = kStableStep;
     evaluations = 0;
 }
@@ -61,7 +63,7 @@ void DampedDynamics::slope(Eigen::Ref<const Vector> y, Eigen::Ref<Vector> deriva
     m_second = y.tail(n);
     m_model->evaluate(m_first, &m_gradient);
     m_model->multiply(m_second, m_first);
-    m_first += m_gradient;
+    m_first = m_stiffnessDamping * m_first + m_gradient;
     m_model->mask(m_first);
     m_model->mask(m_second);
     derivative.head(n) = m_second;
@@ -71,7 +73,7 @@ void DampedDynamics::slope(Eigen::Ref<const Vector> y, Eigen::Ref<Vector> deriva
 
 void DampedDynamics::jacobian(Eigen::Ref<const Vector> direction, Eigen::Ref<Vector> product) {
     const Eigen::Index n = m_model->size();
-    m_second = direction.head(n) + direction.tail(n);
+    m_second = direction.head(n) + m_stiffnessDamping * direction.tail(n);
     m_model->multiply(m_second, m_first);
     m_model->mask(m_first);
     m_second = direction.tail(n);

@@ -101,11 +101,12 @@ void Multistep::useNewtonKrylov(N_Vector y) {
 }
 
 /// (I - g J) z = r with z = (position, velocity) parts: position = r_x + g velocity leaves
-/// (H + m M) velocity = (w^2 M r_u - g H r_x) / s,  s = g (1 + g),  m = (1 + g a) w^2 / s.
+/// (H + m M) velocity = (w^2 M r_u - g H r_x) / s,  s = g (b + g),  m = (1 + g a) w^2 / s.
 int Multistep::setUp(double gamma) {
     return guarded([&](DampedDynamics& d) {
         const double w2 = d.frequency() * d.frequency();
-        m_preconditioner->build((1 + gamma * d.massDamping()) * w2 / (gamma * (1 + gamma)));
+        m_preconditioner->build((1 + gamma * d.massDamping()) * w2 /
+                                (gamma * (d.stiffnessDamping() + gamma)));
     });
 }
 
@@ -114,7 +115,7 @@ int Multistep::solve(double gamma, Eigen::Ref<const Vector> r, Eigen::Ref<Vector
         const System& model = d.model();
         const Eigen::Index n = model.size();
         const double w2 = d.frequency() * d.frequency();
-        const double s = gamma * (1 + gamma);
+        const double s = gamma * (d.stiffnessDamping() + gamma);
         const double massFactor = (1 + gamma * d.massDamping()) * w2 / s;
         const Vector rx = r.head(n);
         Vector right;

@@ -16,7 +16,7 @@ void TimeStepper::initialise(System& model, const Motion& /*motion*/) {
 
 void TimeStepper::start(const Motion& motion) {
     if (!m_attached) {
-        m_dynamics.attach(*m_model, motion);
+        m_dynamics.attach(*m_model, motion, m_damping);
         m_attached = true;
     } else {
         m_dynamics.freeze(motion.positions);

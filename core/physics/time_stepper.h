@@ -14,6 +14,9 @@ public:
     void initialise(System& model, const Motion& motion) override;
     StepReport step(Motion& motion, const Interrupt& interrupt) override;
 
+    /// Real motion rather than the way to rest; before initialise().
+    void setDamping(const Damping& damping) { m_damping = damping; }
+
     /// For SUNDIALS' callbacks: runs `work`; 0 when done, -1 when interrupted or out of memory.
     template<class Work> int guarded(Work work) {
         try {
@@ -39,9 +42,14 @@ protected:
     const Interrupt& interrupt() const { return m_interrupt; }
     DampedDynamics& dynamics() { return m_dynamics; }
 
-    /// Errors per step, mm: so small against a stitch that the shape is smooth, and no smaller.
-    double absoluteTolerance() const { return 2e-3 * m_dynamics.model().lengthScale(); }
+    /// Errors per step, mm. On the way to rest: so small against a stitch that the shape is smooth, and no
+    /// smaller. For real motion velocities count, which are small in units of the highest frequency.
+    double absoluteTolerance() const {
+        return (m_damping ? kTrueTolerance : kTolerance) * m_dynamics.model().lengthScale();
+    }
     static constexpr double kRelativeTolerance = 1e-6;
+    static constexpr double kTolerance = 2e-3;
+    static constexpr double kTrueTolerance = 1e-6;
 
 private:
     StepReport tryStep(Motion& motion, const Interrupt& interrupt);
@@ -51,6 +59,7 @@ private:
     sundials::Context m_context;
     std::unique_ptr<sundials::StateVector> m_y;
     DampedDynamics m_dynamics;
+    std::optional<Damping> m_damping;
     Interrupt m_interrupt;
     double m_scaledTime = 0;
     int m_untilFreeze = 0;

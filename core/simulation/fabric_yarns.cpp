@@ -1,5 +1,6 @@
 #include "core/simulation/fabric_yarns.h"
 
+#include "core/base/segment_distance.h"
 #include "core/geometry/yarn_curve_builder.h"
 #include "core/simulation/fabric_cell.h"
 #include "core/simulation/simulation.h"
@@ -22,8 +23,12 @@ constexpr int kSamples = 6;         ///< of the curve between two control points
 constexpr double kLeastYarn = 0.3;  ///< of its share of the curve: spans with hardly any yarn
 constexpr double kLeastDepth = 0.5; ///< stretch along the third axis
 constexpr double kMostDepth = 4;
-constexpr double kNarrowest = 1 / 5.5;   ///< wale spacing to start from, loop lengths
-constexpr double kLowest = 1 / 6.5;      ///< course spacing, where the repeat does not tell it
+constexpr double kBulge = 0.05;        ///< diameters, of the curve beside the chain
+constexpr double kShortest = 0.05;     ///< segments, between two nodes
+constexpr double kNarrowest = 1 / 5.5; ///< wale spacing to start from, loop lengths
+constexpr double kLowest = 1 / 6.5;    ///< course spacing, where the repeat does not tell it
+constexpr double kUsualWale = 1 / 4.1; ///< of plain knit (PHYSICS 3), loop lengths
+constexpr double kUsualCourse = 1 / 5.3;
 constexpr std::size_t kLargestCell = 16; ///< stitches of a repeat
 constexpr int kCellEvaluations = 5'000;
 constexpr double kSettleSeconds = 30;                    ///< for the bonding-point model
@@ -79,11 +84,12 @@ Eigen::Vector2d drawIn(const Fabric& f, std::span<const yarn::Yarn> yarns, const
     const geometry::Measurement machine = geometry::measure(f, machinePositions(f));
     double wale = layout.waleSpacingMm;
     double course = layout.courseSpacingMm;
-    if (const auto cell = cellSpacings(f, yarns, layout.cancelled); cell && !(wale > 0 && course > 0)) {
+    const auto isGiven = [&] { return wale > 0 && course > 0; };
+    if (const auto cell = isGiven() ? std::nullopt : cellSpacings(f, yarns, layout.cancelled)) {
         wale = cell->x();
         course = cell->y();
     }
-    if (!(wale > 0) || !(course > 0)) {
+    if (!isGiven()) {
         Simulation net;
         net.apply(command::Load{
             .fabric = std::make_shared<Fabric>(f), .yarns = {yarns.begin(), yarns.end()}, .generation = 1});
@@ -105,8 +111,8 @@ Eigen::Vector2d drawIn(const Fabric& f, std::span<const yarn::Yarn> yarns, const
 /// A curve with its yarn: arc length is mapped to fed yarn span by span.
 class Laying {
 public:
-    Laying(const Fabric& f, YarnCurves curves, double segmentMm)
-        : m_fabric(f), m_curves(std::move(curves)), m_segmentMm(segmentMm) {}
+    Laying(const Fabric& f, YarnCurves curves, double segmentMm, double diameterMm)
+        : m_fabric(f), m_curves(std::move(curves)), m_segmentMm(segmentMm), m_diameterMm(diameterMm) {}
 
     const YarnCurves& curves() const { return m_curves; }
 
@@ -136,9 +142,24 @@ private:
     /// By node of the curve: fed yarn from the start of its yarn, mm.
     std::vector<double> fedAt(const YarnCurves::Range& yarn) const;
 
+    /// A place on the curve and the yarn fed up to it.
+    struct Mark {
+        std::int32_t node = 0; ///< of the curve, at or before it
+        double share = 0;      ///< on the way to the next one
+        double fedMm = 0;
+    };
+    Mark markAt(const YarnCurves::Range& yarn, std::span<const double> fed, double at) const;
+    Eigen::Vector3d place(const Mark& mark) const {
+        return mark.share > 0 ? (1 - mark.share) * node(mark.node) + mark.share * node(mark.node + 1)
+                              : node(mark.node);
+    }
+    void addBetween(const YarnCurves::Range& yarn, std::span<const double> fed, const Mark& begin,
+                    const Mark& end, std::vector<Mark>& marks) const;
+
     const Fabric& m_fabric;
     YarnCurves m_curves;
     double m_segmentMm;
+    double m_diameterMm;
 };
 
 std::vector<double> Laying::fedAt(const YarnCurves::Range& yarn) const {
@@ -174,39 +195,78 @@ std::vector<double> Laying::fedAt(const YarnCurves::Range& yarn) const {
     return fed;
 }
 
+Laying::Mark Laying::markAt(const YarnCurves::Range& yarn, std::span<const double> fed, double at) const {
+    const auto next = std::ranges::upper_bound(fed.subspan(1, fed.size() - 2), at);
+    const auto i = static_cast<std::size_t>(next - fed.begin()) - 1;
+    const double way = fed[i + 1] - fed[i];
+    return {yarn.first + static_cast<std::int32_t>(i),
+            way > 0 ? std::clamp((at - fed[i]) / way, 0.0, 1.0) : 0, at};
+}
+
+/// Marks between two, so that no node of the curve lies farther from the chain than kBulge: else a bend that
+/// holds another strand might be cut off.
+void Laying::addBetween(const YarnCurves::Range& yarn, std::span<const double> fed, const Mark& begin,
+                        const Mark& end, std::vector<Mark>& marks) const {
+    const double least = kShortest * m_segmentMm;
+    const Eigen::Vector3d a = place(begin);
+    const Eigen::Vector3d b = place(end);
+    double most = kBulge * m_diameterMm;
+    std::int32_t worst = -1;
+    for (std::int32_t n = begin.node + 1; n <= end.node; ++n) {
+        const double bulge = closestPoints(a, b, node(n), node(n)).distance;
+        if (bulge > most) {
+            most = bulge;
+            worst = n;
+        }
+    }
+    if (worst < 0 || end.fedMm - begin.fedMm < 2 * least) {
+        return;
+    }
+    const double at = fed[static_cast<std::size_t>(worst - yarn.first)];
+    const Mark middle{worst, 0, std::clamp(at, begin.fedMm + least, end.fedMm - least)};
+    addBetween(yarn, fed, begin, middle, marks);
+    marks.push_back(middle);
+    addBetween(yarn, fed, middle, end, marks);
+}
+
 void Laying::add(std::size_t index, FabricYarns& result) const {
     const YarnCurves::Range& yarn = m_curves.yarns[index];
     const std::vector<double> fed = fedAt(yarn);
     const int segments = 2 * std::max(2, static_cast<int>(std::lround(0.5 * fed.back() / m_segmentMm)));
     const double segment = fed.back() / segments;
-    if (!(segment > 0)) {
+    if (!(segment > 0) || fed.size() < 2) {
         return;
+    }
+    std::vector<Mark> marks{markAt(yarn, fed, 0)};
+    for (int k = 1; k <= segments; ++k) {
+        const Mark end = markAt(yarn, fed, std::min(k * segment, fed.back()));
+        addBetween(yarn, fed, marks.back(), end, marks);
+        marks.push_back(end);
     }
     physics::YarnChains& chains = result.chains;
     const Entry first = chains.nodeCount();
-    chains.nodes.conservativeResize(3, first + segments + 1);
-    chains.chains.push_back({first, segments + 1, static_cast<int>(yarn.carrier)});
+    const auto count = static_cast<Entry>(marks.size());
+    chains.nodes.conservativeResize(3, first + count);
+    chains.chains.push_back({first, count, static_cast<int>(yarn.carrier)});
     result.carrier.push_back(yarn.carrier);
-    std::size_t i = 0;
-    for (int k = 0; k <= segments; ++k) {
-        const double at = std::min(k * segment, fed.back());
-        while (i + 2 < fed.size() && fed[i + 1] <= at) {
-            ++i;
-        }
-        const double way = fed[i + 1] - fed[i];
-        const double share = way > 0 ? std::min(1.0, (at - fed[i]) / way) : 0;
-        const auto n = yarn.first + static_cast<std::int32_t>(i);
-        chains.nodes.col(first + k) = ((1 - share) * node(n) + share * node(n + 1)) / result.units.lengthMm;
-        chains.restLength.push_back(segment / result.units.lengthMm);
-        result.point.push_back(m_curves.point[static_cast<std::size_t>(n)]);
-        result.piece.push_back(m_curves.piece[static_cast<std::size_t>(n)]);
+    for (Entry k = 0; k < count; ++k) {
+        const Mark& mark = marks[static_cast<std::size_t>(k)];
+        const double rest =
+            k + 1 < count ? marks[static_cast<std::size_t>(k) + 1].fedMm - mark.fedMm : segment;
+        chains.nodes.col(first + k) = place(mark) / result.units.lengthMm;
+        chains.restLength.push_back(rest / result.units.lengthMm);
+        result.point.push_back(m_curves.point[static_cast<std::size_t>(mark.node)]);
+        result.piece.push_back(m_curves.piece[static_cast<std::size_t>(mark.node)]);
     }
+    Entry k = 0;
     for (std::size_t c = 0; c < fed.size(); ++c) {
+        while (k + 1 < count && std::abs(marks[static_cast<std::size_t>(k) + 1].fedMm - fed[c]) <=
+                                    std::abs(marks[static_cast<std::size_t>(k)].fedMm - fed[c])) {
+            ++k;
+        }
         const auto p = m_curves.point[static_cast<std::size_t>(yarn.first) + c];
         Entry& nearest = result.nodeOfPoint[static_cast<std::size_t>(p)];
-        if (nearest < 0) {
-            nearest = first + static_cast<Entry>(std::lround(fed[c] / segment));
-        }
+        nearest = nearest < 0 ? first + k : nearest;
     }
 }
 
@@ -289,7 +349,7 @@ FabricYarns layYarns(const Fabric& f, std::span<const yarn::Yarn> yarns, const Y
     Laying laying(f,
                   geometry::buildYarnCurves(f, machinePositions(f), diameters,
                                             {.samplesPerSegment = kSamples, .exact = true}),
-                  loopLength / layout.nodesPerLoop);
+                  loopLength / layout.nodesPerLoop, result.units.lengthMm);
     laying.stretch({plane.x(), plane.y(), depthFor(laying, plane, fed)});
     for (std::size_t yarn = 0; yarn < laying.curves().yarns.size(); ++yarn) {
         laying.add(yarn, result);
@@ -297,6 +357,14 @@ FabricYarns layYarns(const Fabric& f, std::span<const yarn::Yarn> yarns, const Y
     hangUp(f, result);
     knotEnds(loopLength / result.units.lengthMm, result);
     return result;
+}
+
+FabricYarns guessYarns(const Fabric& f, std::span<const yarn::Yarn> yarns) {
+    const double loopLength = meanLoopLength(f);
+    YarnLayout layout;
+    layout.waleSpacingMm = kUsualWale * loopLength;
+    layout.courseSpacingMm = kUsualCourse * loopLength;
+    return layYarns(f, yarns, layout);
 }
 
 void setYarn(FabricYarns& yarns, machine::CarrierIndex carrier, const yarn::Yarn& yarn) {
@@ -307,33 +375,35 @@ void setYarn(FabricYarns& yarns, machine::CarrierIndex carrier, const yarn::Yarn
     yarns.weightOfYarn[carrier] = kGravity * yarn.tex * yarns.units.lengthMm / yarns.units.forceMilliNewton();
 }
 
-FabricYarns withHalfTheNodes(const Fabric& f, const FabricYarns& yarns, const physics::Vector& x) {
+FabricYarns withHalfTheNodes(const Fabric& f, const FabricYarns& yarns, const physics::Vector& x,
+                             const std::vector<char>& kept) {
     FabricYarns result;
     result.units = yarns.units;
     result.carrier = yarns.carrier;
     result.chains.yarns = yarns.chains.yarns;
     result.weightOfYarn = yarns.weightOfYarn;
     std::vector<Entry> renamed(static_cast<std::size_t>(yarns.chains.nodeCount()), 0);
-    std::vector<Entry> kept;
+    std::vector<Eigen::Vector3d> nodes;
     for (const physics::Chain& chain : yarns.chains.chains) {
-        const auto first = static_cast<Entry>(kept.size());
+        const auto first = static_cast<Entry>(nodes.size());
         for (Entry i = 0; i < chain.count; ++i) {
-            // An odd node is known by the one before it.
-            if (i % 2 == 0) {
-                kept.push_back(chain.first + i);
+            const auto old = static_cast<std::size_t>(chain.first + i);
+            const double rest = yarns.chains.restLength[old];
+            if (i % 2 == 0 || i + 1 == chain.count || (!kept.empty() && kept[old] != 0)) {
+                nodes.emplace_back(physics::at(x, chain.first + i));
+                result.chains.restLength.push_back(rest);
+                result.point.push_back(yarns.point[old]);
+                result.piece.push_back(yarns.piece[old]);
+            } else {
+                result.chains.restLength.back() += rest;
             }
-            renamed[static_cast<std::size_t>(chain.first + i)] = static_cast<Entry>(kept.size()) - 1;
+            // A node that is left out is known by the one before it.
+            renamed[old] = static_cast<Entry>(nodes.size()) - 1;
         }
-        result.chains.chains.push_back({first, static_cast<Entry>(kept.size()) - first, chain.yarn});
+        result.chains.chains.push_back({first, static_cast<Entry>(nodes.size()) - first, chain.yarn});
     }
-    result.chains.nodes.resize(3, static_cast<Eigen::Index>(kept.size()));
-    for (std::size_t e = 0; e < kept.size(); ++e) {
-        const auto old = static_cast<std::size_t>(kept[e]);
-        result.chains.nodes.col(static_cast<Eigen::Index>(e)) = physics::at(x, kept[e]);
-        result.chains.restLength.push_back(2 * yarns.chains.restLength[old]);
-        result.point.push_back(yarns.point[old]);
-        result.piece.push_back(yarns.piece[old]);
-    }
+    result.chains.nodes =
+        Eigen::Map<const Eigen::Matrix3Xd>(nodes.front().data(), 3, static_cast<Eigen::Index>(nodes.size()));
     for (const Entry node : yarns.nodeOfPoint) {
         result.nodeOfPoint.push_back(node < 0 ? -1 : renamed[static_cast<std::size_t>(node)]);
     }

@@ -49,14 +49,18 @@ struct YarnLayout {
 
 /// The exact curves of the machine's shape, drawn in to the given spacings: one stretch along each axis of
 /// space, so every strand stays on its side of every other one. The third axis is stretched such that the
-/// curves are as long as the yarn that the machine fed. Nodes lie evenly along each yarn. `yarns` by carrier;
+/// curves are as long as the yarn that the machine fed. Nodes lie evenly along each yarn, with more where the
+/// curve bends away from them. `yarns` by carrier;
 /// carriers beyond its end get a default yarn.
 FabricYarns layYarns(const fabric::Fabric& fabric, std::span<const yarn::Yarn> yarns,
                      const YarnLayout& layout = {});
 
-/// The same yarns at x with every second node left out.
-FabricYarns withHalfTheNodes(const fabric::Fabric& fabric, const FabricYarns& yarns,
-                             const physics::Vector& x);
+/// The same curves, drawn in to what plain knit has: something to look at before the spacings are known.
+FabricYarns guessYarns(const fabric::Fabric& fabric, std::span<const yarn::Yarn> yarns);
+
+/// The same yarns at x with every second node left out, but those to be `kept` (by node; empty: none).
+FabricYarns withHalfTheNodes(const fabric::Fabric& fabric, const FabricYarns& yarns, const physics::Vector& x,
+                             const std::vector<char>& kept = {});
 
 /// The chains at x as curves in mm, for drawing and for the proofs of core/geometry; their surface is that of
 /// a table.

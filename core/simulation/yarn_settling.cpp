@@ -21,6 +21,8 @@ constexpr int kMostGrownSweeps = 150; ///< at full thickness; the rods make the 
 constexpr double kCoarseFrom = 0.5;   ///< thickness
 constexpr int kStraightening = 12;
 constexpr double kStraight = 1e-6;    ///< d
+constexpr double kFree = 0.5;         ///< share of its way that a straightened node is free to go at least
+constexpr std::ptrdiff_t kBent = 50;  ///< one of so many may stay bent
 constexpr double kRoomEnough = 1.03;  ///< distance over core diameter
 constexpr double kHolding = 1;        ///< stiffness of comb, holder and knots against that of a segment
 constexpr double kPull = 2;           ///< stiffness of a person's pull, EI/d^3
@@ -38,6 +40,10 @@ std::vector<Entry> endsOf(const physics::YarnChains& chains) {
         ends.insert(ends.end(), {chain.first, chain.first + chain.count - 1});
     }
     return ends;
+}
+
+bool isFew(std::ptrdiff_t bent, std::size_t nodes) {
+    return kBent * bent <= static_cast<std::ptrdiff_t>(nodes);
 }
 
 /// Stitches of both beds: the fabric finds its own thickness.
@@ -74,6 +80,8 @@ YarnSettling::YarnSettling(const fabric::Fabric& fabric, std::span<const yarn::Y
     m_motion.positions = m_yarns.chains.start();
     m_motion.velocities.setZero(m_motion.positions.size());
     m_growth.emplace(m_yarns.chains, endsOf(m_yarns.chains));
+    m_witness.emplace(m_yarns.chains);
+    m_laid = m_yarns;
 }
 
 bool YarnSettling::step(const physics::Interrupt& interrupt) {
@@ -90,7 +98,9 @@ bool YarnSettling::step(const physics::Interrupt& interrupt) {
 void YarnSettling::grow(const physics::Interrupt& interrupt) {
     int sweeps = 0;
     while (sweeps < kSweepsAtOnce && !interrupt.wanted()) {
+        const physics::Vector before = shape();
         m_growth->sweep(m_motion.positions);
+        witness(before);
         ++sweeps;
     }
     m_sweeps += sweeps;
@@ -99,9 +109,9 @@ void YarnSettling::grow(const physics::Interrupt& interrupt) {
     }
     if (m_dense) {
         if (m_growth->thickness() >= kCoarseFrom) {
-            m_cutCorners = straighten();
-            if (m_cutCorners == 0 || m_sweeps >= kMostSweeps) {
-                coarsen();
+            const std::vector<char> bent = straighten();
+            if (m_sweeps >= kMostSweeps || isFew(std::ranges::count(bent, 1), bent.size())) {
+                coarsen(bent);
             }
         }
         return;
@@ -112,40 +122,59 @@ void YarnSettling::grow(const physics::Interrupt& interrupt) {
     }
 }
 
-/// Every second node goes to the middle of its neighbours as far as no strand is in the way. Returns how many
-/// do not get there.
-int YarnSettling::straighten() {
+/// What moved since `from` went through nothing, or it is written down.
+void YarnSettling::witness(const physics::Vector& from) {
+    for (const physics::StrandWitness::Meeting& meeting : m_witness->follow(from, shape())) {
+        m_passages.push_back({loopAt(meeting.a), loopAt(meeting.b)});
+    }
+}
+
+/// Every second node goes between its neighbours as far as no strand is in the way. Returns by node
+/// who does not get there.
+std::vector<char> YarnSettling::straighten() {
     physics::Vector& x = m_motion.positions;
+    const auto nodes = static_cast<std::size_t>(m_yarns.chains.nodeCount());
+    std::vector<char> bent(nodes, 0);
     physics::StrandGuard guard(m_yarns.chains);
     for (int round = 0; round < kStraightening; ++round) {
         physics::Vector move = physics::Vector::Zero(x.size());
-        int left = 0;
+        bool straight = true;
         for (const physics::Chain& chain : m_yarns.chains.chains) {
             for (Entry e = chain.first + 1; e < chain.first + chain.count - 1; e += 2) {
-                const Eigen::Vector3d middle = 0.5 * (physics::at(x, e - 1) + physics::at(x, e + 1));
+                const double before = m_yarns.chains.restLength[static_cast<std::size_t>(e) - 1];
+                const double after = m_yarns.chains.restLength[static_cast<std::size_t>(e)];
+                const Eigen::Vector3d middle =
+                    (after * physics::at(x, e - 1) + before * physics::at(x, e + 1)) / (before + after);
                 physics::at(move, e) = middle - physics::at(x, e);
-                left += physics::at(move, e).norm() > kStraight ? 1 : 0;
+                const bool bends = physics::at(move, e).norm() > kStraight;
+                bent[static_cast<std::size_t>(e)] = bends ? 1 : 0;
+                straight = straight && !bends;
             }
         }
-        if (left == 0 || round + 1 == kStraightening) {
-            return left;
+        if (straight) {
+            break;
         }
-        std::vector<double> share(static_cast<std::size_t>(m_yarns.chains.nodeCount()), 1);
+        std::vector<double> share(nodes, 1);
         guard.lowerShares(x, move, share);
-        for (std::size_t e = 0; e < share.size(); ++e) {
-            physics::at(move, static_cast<Entry>(e)) *= share[e];
+        for (std::size_t e = 0; e < nodes; ++e) {
+            // Pressed on and on, strands would end up touching.
+            physics::at(move, static_cast<Entry>(e)) *= share[e] < kFree ? 0 : share[e];
         }
+        const physics::Vector from = x;
         x += guard.allowed(x, move) * move;
+        witness(from);
     }
-    return 0;
+    return bent;
 }
 
-void YarnSettling::coarsen() {
+/// Leaves out every second node but the bent ones.
+void YarnSettling::coarsen(const std::vector<char>& bent) {
     const double thickness = m_growth->thickness();
-    m_yarns = withHalfTheNodes(m_fabric, m_yarns, m_motion.positions);
+    m_yarns = withHalfTheNodes(m_fabric, m_yarns, m_motion.positions, bent);
     m_motion.positions = m_yarns.chains.start();
     m_motion.velocities.setZero(m_motion.positions.size());
     m_growth.emplace(m_yarns.chains, endsOf(m_yarns.chains), thickness);
+    m_witness.emplace(m_yarns.chains);
     m_dense = false;
 }
 
@@ -301,7 +330,9 @@ bool YarnSettling::settle(const physics::Interrupt& interrupt) {
         m_friction->lag(m_model->contact(), m_model->cores(), m_motion.positions);
         m_relaxation->forcesChanged();
     }
+    const physics::Vector before = shape();
     const bool goesOn = m_relaxation->step(interrupt);
+    witness(before);
     m_report = m_relaxation->report();
     m_report.addWork(m_earlier);
     if (m_relaxation->last().outcome == physics::StepReport::Outcome::Cancelled) {
@@ -366,29 +397,33 @@ YarnPicture YarnSettling::picture() const {
     return {curves(), entryPositions(m_fabric, m_yarns, shape()), tension(), contactForce()};
 }
 
+/// On whose yarn a node is; -1 for none.
+machine::LoopIndex YarnSettling::loopAt(Entry node) const {
+    return node < 0 ? -1
+                    : m_fabric.points[static_cast<std::size_t>(m_yarns.piece[static_cast<std::size_t>(node)])]
+                          .loop;
+}
+
 YarnAudit YarnSettling::audit() const {
     YarnAudit audit;
     if (*m_problem != '\0') {
         return audit;
     }
     const physics::StrandAudit strands = physics::StrandGuard(m_yarns.chains).audit(shape());
-    audit.cutCorners = m_cutCorners;
     audit.coreOverlaps = strands.coreOverlaps;
     audit.deepestOverlapMm = strands.deepestOverlap * m_yarns.units.lengthMm;
-    const auto loopAt = [&](Entry node) {
-        return node < 0
-                   ? -1
-                   : m_fabric.points[static_cast<std::size_t>(m_yarns.piece[static_cast<std::size_t>(node)])]
-                         .loop;
-    };
     audit.worstLoop = loopAt(strands.worstA);
     audit.worstOther = loopAt(strands.worstB);
+    audit.passages = m_passages;
+    const geometry::YarnCurves laid = curvesOf(m_laid, m_laid.chains.start());
+    audit.laidWrong = geometry::certifyTopology(m_fabric, laid).failures;
+    const geometry::CrossingAudit start =
+        geometry::auditCrossings(m_fabric, laid, geometry::projectCrossings(laid));
+    audit.expectedCrossings = start.expected;
+    audit.laidCrossings = start.found;
     const geometry::YarnCurves drawn = curves();
-    audit.pullThroughs = geometry::certifyTopology(m_fabric, drawn).failures;
-    const geometry::CrossingAudit crossings =
-        geometry::auditCrossings(m_fabric, drawn, geometry::projectCrossings(drawn));
-    audit.expectedCrossings = crossings.expected;
-    audit.foundCrossings = crossings.found;
+    audit.foldedLoops = geometry::certifyTopology(m_fabric, drawn).failures.size();
+    audit.foundCrossings = geometry::auditCrossings(m_fabric, drawn, geometry::projectCrossings(drawn)).found;
     return audit;
 }
 

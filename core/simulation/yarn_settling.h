@@ -3,6 +3,7 @@
 #include "core/geometry/curve_report.h"
 #include "core/physics/drag_term.h"
 #include "core/physics/yarn_model/load_step.h"
+#include "core/physics/yarn_model/strand_witness.h"
 #include "core/physics/yarn_model/yarn_growth.h"
 #include "core/simulation/surroundings.h"
 #include "core/simulation/yarn_picture.h"
@@ -12,22 +13,29 @@
 
 namespace knittsim::simulation {
 
-/// What a shape of yarns does that yarns cannot do.
+/// What a shape of yarns does, or did on its way, that yarns cannot do.
 struct YarnAudit {
     int coreOverlaps = 0; ///< pairs of segments nearer than their cores are thick
     double deepestOverlapMm = 0;
     machine::LoopIndex worstLoop = -1; ///< of the nearest strands; -1 when all are far apart
     machine::LoopIndex worstOther = -1;
-    /// Loops of which the shape does not show that they are drawn through those below. No step lets strands
-    /// pass each other, so in a fabric that curls up this is doubt rather than proof.
-    std::vector<geometry::PullThrough> pullThroughs;
-    /// Nodes that had to be left out before the way was free: there, and only there, a strand may have passed
-    /// another.
-    int cutCorners = 0;
-    std::size_t expectedCrossings = 0; ///< of the projection, while the fabric lies flat
-    std::size_t foundCrossings = 0;
+    /// Loops that were laid wrong: not drawn through those below them before anything moved.
+    std::vector<geometry::PullThrough> laidWrong;
+    /// Strands that went through each other since, step by step (physics::StrandWitness). With none of
+    /// either, the shape is knotted as the fabric is, however it has curled up.
+    struct Passage {
+        machine::LoopIndex loop = -1;
+        machine::LoopIndex other = -1;
+    };
+    std::vector<Passage> passages;
+    /// Of the projection, before anything moved: how many there should be and how many were right.
+    std::size_t expectedCrossings = 0;
+    std::size_t laidCrossings = 0;
+    std::size_t foundCrossings = 0; ///< at rest; fewer where edges have rolled up
+    std::size_t foldedLoops = 0;    ///< so folded that the shape alone does not show how they are knotted
 
-    bool holds() const { return coreOverlaps == 0 && cutCorners == 0 && pullThroughs.empty(); }
+    std::size_t passThroughs() const { return laidWrong.size() + passages.size(); }
+    bool holds() const { return coreOverlaps == 0 && passThroughs() == 0; }
 };
 
 /// Settles a whole fabric in the yarn model, step by step: thin yarns along the machine's curves, drawn in
@@ -76,7 +84,7 @@ public:
     const physics::Vector& shape() const { return m_motion.positions; }
     const physics::YarnRelaxReport& report() const { return m_report; }
 
-    YarnAudit audit() const; ///< of the present shape
+    YarnAudit audit() const; ///< of the present shape and the way to it
     geometry::YarnCurves curves() const { return curvesOf(m_yarns, shape()); }
     YarnPicture picture() const;
 
@@ -89,8 +97,10 @@ private:
     };
 
     void grow(const physics::Interrupt& interrupt);
-    int straighten();
-    void coarsen();
+    std::vector<char> straighten();
+    void coarsen(const std::vector<char>& bent);
+    void witness(const physics::Vector& from);
+    machine::LoopIndex loopAt(physics::Entry node) const;
     void startSettling();
     void build(Stage stage, physics::YarnRelaxation::Start start);
     void addHoldings();
@@ -110,7 +120,9 @@ private:
     Phase m_phase = Phase::Growing;
     int m_sweeps = 0;
     int m_grownSweeps = 0; ///< of them at full thickness
-    int m_cutCorners = 0;
+    FabricYarns m_laid;    ///< the first ones
+    std::optional<physics::StrandWitness> m_witness;
+    std::vector<YarnAudit::Passage> m_passages;
     bool m_dense = true; ///< twice the nodes, until the yarns have some thickness
     physics::Motion m_motion;
     std::optional<physics::YarnGrowth> m_growth;

@@ -4,6 +4,9 @@ uniform int uSides;
 
 out vec3 vOutwards;
 out float vAngle;                  // around the yarn
+#ifdef CUT
+out vec3 vPlace;
+#endif
 
 void main() {
     int ring = gl_VertexID / (uSides + 1);
@@ -27,6 +30,9 @@ void main() {
     radius = min(radius, 0.92 / max(dot(vOutwards, node.bend), 1e-6));
     if (node.isEnd) radius *= 0.3;
     vec4 place = vec4(node.place + radius * vOutwards, 1.0);
+#ifdef CUT
+    vPlace = place.xyz;
+#endif
     gl_ClipDistance[0] = dot(uCut, place);
     gl_Position = uProjection * (uView * place);
 }

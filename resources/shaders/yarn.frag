@@ -10,6 +10,13 @@ uniform float uHair;
 uniform float uGloss;
 
 void main() {
+#ifdef CUT
+    if (!gl_FrontFacing) {
+        vec3 cut = mix(mix(colourHere(uColour), vec3(1.0), 0.3), uAccent, 0.8 * vGlow) * cutFace();
+        oColour = vec4(sqrt(clamp(cut, 0.0, 1.0)), 1.0);
+        return;
+    }
+#endif
     Surface surface = findSurface();
     Fibres fibres = findFibres(surface, uBetween);
 

@@ -56,7 +56,11 @@ constexpr std::array kChoices{
     Choice{"csv", QT_TRANSLATE_NOOP("ExportDialog", "Bonding points (CSV)"),
            QT_TRANSLATE_NOOP("ExportDialog",
                              "A line for each bonding point: yarn, role, needle, place in millimetres."),
-           false, false}};
+           false, false},
+    Choice{"frames", QT_TRANSLATE_NOOP("ExportDialog", "Pictures of the settling (folder of PNG)"),
+           QT_TRANSLATE_NOOP("ExportDialog",
+                             "From the machine to rest, seen from one place: 0001.png, 0002.png, ..."),
+           true, true}};
 
 /// Of a row with more than one field.
 QLabel* labelFor(QWidget* field, const QString& text) {
@@ -194,7 +198,7 @@ void ExportDialog::start() {
                   m_width->value(),
                   m_height->value(),
                   m_transparent->isChecked()};
-    if (QFileInfo::exists(m_path->text()) && m_replaced != m_path->text()) {
+    if (QFileInfo::exists(m_path->text()) && !isSequence(job.path) && m_replaced != m_path->text()) {
         m_replaced = m_path->text();
         m_problem->setText(tr("This file exists. Export once more to replace it, or choose another name."));
         m_problem->setAccessibleDescription(m_problem->text());

@@ -4,6 +4,7 @@
 #include "core/base/progress.h"
 #include "core/fabric/fabric.h"
 #include "core/geometry/yarn_curve.h"
+#include "core/simulation/surroundings.h"
 #include "core/yarn/yarn.h"
 #include "ui/render/camera.h"
 #include "ui/render/look.h"
@@ -22,10 +23,12 @@ struct ExportSource {
     std::vector<float> places;                          ///< 3 per entry, mm; empty: as the machine leaves it
     std::shared_ptr<const geometry::YarnCurves> curves; ///< of the yarn model; null where there are none
     std::vector<yarn::Yarn> yarns;                      ///< by carrier
+    simulation::Surroundings surroundings = simulation::Surroundings::Flat; ///< of the yarn model
     render::DrawStyle style = render::DrawStyle::Yarn;
     render::CameraState camera;
     std::optional<render::Section> section;
     std::vector<bool> keep; ///< by bonding point: what pictures show; empty: all
+    bool hair = true;       ///< see render::View
     bool dark = false;
 };
 
@@ -33,7 +36,7 @@ struct ExportJob {
     enum class Side : std::uint8_t { AsSeen, Face, Back };
 
     ExportSource source;
-    std::filesystem::path path; ///< its extension chooses the format: .png or one of core/export
+    std::filesystem::path path; ///< its extension chooses the format: .png, .frames or one of core/export
     Side side = Side::AsSeen;   ///< pictures and drawings
     int width = 1920;           ///< of a picture, pixels
     int height = 1200;
@@ -45,7 +48,10 @@ constexpr int kMostExportPixels = 8192;
 /// Pictures have this format; all others are core/export's.
 bool isPicture(const std::filesystem::path& path);
 
-/// Writes the file; on any thread. Nothing is left of it when it fails or is cancelled.
+/// A folder with numbered pictures of the settling, from where the machine leaves the fabric.
+bool isSequence(const std::filesystem::path& path);
+
+/// Writes the file or folder; on any thread. Nothing is left of it when it fails or is cancelled.
 Result<Written> writeExport(const ExportJob& job, const Progress& progress);
 
 } // namespace knittsim::ui

@@ -37,6 +37,23 @@ std::shared_ptr<YarnShape> shapeOf(const Task& task, int edits, const Settling& 
     return shape;
 }
 
+/// Before anything is worked out, which takes a while. Null without yarn.
+std::shared_ptr<const YarnShape> firstShapeOf(const Task& task) {
+    const simulation::FabricYarns yarns = simulation::guessYarns(*task.fabric, task.yarns);
+    if (yarns.chains.nodeCount() == 0) {
+        return nullptr;
+    }
+    const physics::Vector x = yarns.chains.start();
+    auto shape = std::make_shared<YarnShape>();
+    shape->generation = task.generation;
+    shape->fabric = task.fabric;
+    shape->picture =
+        std::make_shared<simulation::YarnPicture>(curvesOf(yarns, x), entryPositions(*task.fabric, yarns, x),
+                                                  std::vector<float>(), std::vector<float>());
+    shape->growing = true;
+    return shape;
+}
+
 std::shared_ptr<const YarnShape> lastShapeOf(const Task& task, int edits, const Settling& settling) {
     auto shape = shapeOf(task, edits, settling);
     shape->audit = settling.audit();
@@ -49,6 +66,9 @@ std::shared_ptr<const YarnShape> lastShapeOf(const Task& task, int edits, const 
 void settle(YarnJob& job, const Task& task) {
     if (job.ended()()) {
         return;
+    }
+    if (const auto first = firstShapeOf(task)) {
+        task.tell(first);
     }
     Settling::Options options;
     options.layout.cancelled = &job.ended();

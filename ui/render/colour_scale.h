@@ -13,6 +13,7 @@ enum class ColourBy : std::uint8_t {
     Yarn,    ///< which yarn it is
     Tension, ///< mN
     Contact, ///< force of other yarn on it, mN by mm
+    Speed,   ///< way since the shape shown before, mm
 };
 
 /// Values between which the colours run. Empty: there is nothing to tell.

@@ -98,7 +98,9 @@ struct FabricRenderer::Implementation {
     void drawBackground(const View& view) const;
     void drawYarns(const View& view);
     void drawCarrier(const View& view, const Frustum& frustum, machine::CarrierIndex carrier);
-    const ShaderProgram& programFor(const Detail& detail) const;
+    void drawHair(const View& view, const Frustum& frustum, machine::CarrierIndex carrier,
+                  float radius) const;
+    const ShaderProgram& programFor(const Detail& detail, bool cut) const;
     void collectPieces(const Frustum& frustum, machine::CarrierIndex carrier, float radius,
                        const Detail& detail);
     void setCamera(const ShaderProgram& program, const View& view) const;
@@ -289,12 +291,13 @@ void FabricRenderer::Implementation::drawYarns(const View& view) {
     }
 }
 
-const ShaderProgram& FabricRenderer::Implementation::programFor(const Detail& detail) const {
+const ShaderProgram& FabricRenderer::Implementation::programFor(const Detail& detail, bool cut) const {
     switch (frame->style) {
     case DrawStyle::Yarn:
-        return detail.sides == 0  ? *shaders.yarnBand
-               : detail.plies > 0 ? *shaders.pliedTube
-                                  : *shaders.yarnTube;
+        return cut                 ? *shaders.cutTube
+               : detail.sides == 0 ? *shaders.yarnBand
+               : detail.plies > 0  ? *shaders.pliedTube
+                                   : *shaders.yarnTube;
     case DrawStyle::Strokes:
         return detail.sides == 0 ? *shaders.strokesBand : *shaders.strokesTube;
     case DrawStyle::Mesh:
@@ -309,13 +312,17 @@ void FabricRenderer::Implementation::drawCarrier(const View& view, const Frustum
     const bool mesh = frame->style == DrawStyle::Mesh;
     const float perPixel = millimetresPerPixel(view);
     const float radius = mesh ? 0.8F * perPixel : 0.5F * static_cast<float>(yarnLook.diameterMm);
-    const Detail detail =
+    Detail detail =
         mesh ? Detail{} : detailAt(2 * radius / perPixel, frame->segmentMm / (2 * radius), view.quality);
+    const bool cut = view.section && frame->style == DrawStyle::Yarn;
+    if (cut) { // only a whole tube has an inside
+        detail.sides = std::max(detail.sides, 8);
+    }
     collectPieces(frustum, carrier, radius, detail);
     if (counts.empty()) {
         return;
     }
-    const ShaderProgram& program = programFor(detail);
+    const ShaderProgram& program = programFor(detail, cut);
     setCamera(program, view);
     program.set("uRadius", radius);
     program.set("uSides", detail.sides);
@@ -339,9 +346,40 @@ void FabricRenderer::Implementation::drawCarrier(const View& view, const Frustum
         }
         glMultiDrawElements(GL_TRIANGLE_STRIP, counts.data(), GL_UNSIGNED_INT, offsets.data(), pieces);
         glDisable(GL_CULL_FACE);
+        if (frame->style == DrawStyle::Yarn && detail.plies > 0 && view.hair) {
+            drawHair(view, frustum, carrier, radius);
+        }
     } else {
         glBindVertexArray(emptyArray);
         glMultiDrawArrays(GL_TRIANGLE_STRIP, firsts.data(), counts.data(), pieces);
+    }
+}
+
+/// Loose fibres of a carrier's yarns, as lines.
+void FabricRenderer::Implementation::drawHair(const View& view, const Frustum& frustum,
+                                              machine::CarrierIndex carrier, float radius) const {
+    constexpr double kHairy = 0.2;   ///< less is not seen
+    constexpr double kPerWidth = 14; ///< fibres on a piece of the hairiest yarn as long as it is wide
+    constexpr GLsizei kVertices = 4;
+    const YarnLook& yarnLook = look(carrier);
+    const double wanted = yarnLook.hairiness * kPerWidth * frame->segmentMm / (2 * radius);
+    if (yarnLook.hairiness < kHairy) {
+        return;
+    }
+    const int hairs = std::max(1, static_cast<int>(std::lround(wanted)));
+    const ShaderProgram& program = *shaders.hair;
+    setCamera(program, view);
+    setYarn(program, view, yarnLook, radius);
+    setRamp(program);
+    program.set("uRadius", radius);
+    program.set("uHairs", hairs);
+    program.set("uSegmentMm", frame->segmentMm);
+    glBindVertexArray(emptyArray);
+    for (const Chunk& chunk : frame->chunks) {
+        if (chunk.carrier == carrier && frustum.sees(chunk.centre, chunk.reach + 2 * radius)) {
+            program.set("uFirst", chunk.firstNode);
+            glDrawArraysInstanced(GL_LINE_STRIP, 0, kVertices, hairs * (chunk.count - 1));
+        }
     }
 }
 

@@ -26,6 +26,7 @@ struct View {
     int bottom = 0;
     Quality quality = Quality::Fast;
     std::optional<Section> section{};
+    bool hair = true; ///< loose fibres of hairy yarn seen near by
     bool dark = false;
     bool transparent = false; ///< clear to nothing instead of painting a background
 };

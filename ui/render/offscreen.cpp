@@ -20,6 +20,7 @@ View viewOf(const RenderRequest& request, const geometry::Bounds& bounds) {
     view.height = request.height;
     view.quality = Quality::Best;
     view.section = request.section;
+    view.hair = request.hair;
     view.dark = request.dark;
     view.transparent = request.transparent;
     view.camera.setViewport(request.width, request.height);
@@ -35,7 +36,7 @@ View viewOf(const RenderRequest& request, const geometry::Bounds& bounds) {
 
 /// As many nodes as the pixels of a stitch can show.
 int samplesOf(const RenderRequest& request) {
-    constexpr double kPixelsOfASample = 24;
+    constexpr double kPixelsOfASample = 10;
     constexpr double kMost = 12;
     const double pixels = static_cast<double>(request.width) * request.height;
     const double loops = std::max(1.0, static_cast<double>(request.fabric->loops.size()));
@@ -77,15 +78,26 @@ Result<Image> drawInParts(FabricRenderer& renderer, View view, int part, const P
 
 } // namespace
 
-Result<Image> renderFabric(const RenderRequest& request) {
-    const auto context = EglContext::create();
+OffscreenPainter::OffscreenPainter() = default;
+OffscreenPainter::~OffscreenPainter() = default;
+
+Result<std::unique_ptr<OffscreenPainter>> OffscreenPainter::create() {
+    using R = Result<std::unique_ptr<OffscreenPainter>>;
+    auto context = EglContext::create();
     if (!context) {
-        return Result<Image>::failure(context.diagnostics());
+        return R::failure(context.diagnostics());
     }
-    const auto renderer = FabricRenderer::create();
+    auto renderer = FabricRenderer::create();
     if (!renderer) {
-        return Result<Image>::failure(renderer.diagnostics());
+        return R::failure(renderer.diagnostics());
     }
+    std::unique_ptr<OffscreenPainter> painter(new OffscreenPainter);
+    painter->m_context = std::move(context.value());
+    painter->m_renderer = std::move(renderer.value());
+    return painter;
+}
+
+Result<Image> OffscreenPainter::draw(const RenderRequest& request) {
     const int most = FrameTarget::mostPixels();
     if (std::min(request.width, request.height) < 1 || std::max(request.width, request.height) > most) {
         return Diagnostic{.id = "KS0404",
@@ -103,14 +115,22 @@ Result<Image> renderFabric(const RenderRequest& request) {
     if (!request.keep.empty()) {
         frame = isolated(*frame, *fabric, request.keep);
     }
-    if (!renderer.value()->upload(frame)) {
+    if (!m_renderer->upload(frame)) {
         return Diagnostic{.id = "KS0404",
                           .place = {},
                           .arguments = {"the fabric has more nodes than the graphics driver takes"}};
     }
-    renderer.value()->setLooks(request.looks);
-    renderer.value()->setSelection(request.selection);
-    return drawInParts(*renderer.value(), viewOf(request, frame->bounds), request.part, request.progress);
+    m_renderer->setLooks(request.looks);
+    m_renderer->setSelection(request.selection);
+    return drawInParts(*m_renderer, viewOf(request, frame->bounds), request.part, request.progress);
+}
+
+Result<Image> renderFabric(const RenderRequest& request) {
+    const auto painter = OffscreenPainter::create();
+    if (!painter) {
+        return Result<Image>::failure(painter.diagnostics());
+    }
+    return painter.value()->draw(request);
 }
 
 } // namespace knittsim::render

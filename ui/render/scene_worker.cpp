@@ -1,5 +1,7 @@
 #include "ui/render/scene_worker.h"
 
+#include "ui/render/movement.h"
+
 #include <utility>
 
 namespace knittsim::render {
@@ -85,19 +87,40 @@ std::shared_ptr<const SceneFrame> SceneWorker::prepare(const Job& job) {
         m_sceneStyle = job.style;
         m_sceneDiameters = std::move(diameters);
     }
+    rememberShape(job);
+    const std::vector<float> moved = job.colourBy == ColourBy::Speed ? movement(job) : std::vector<float>();
     using Values = std::span<const float>;
     if (job.yarn && job.style != DrawStyle::Mesh) {
         const simulation::YarnPicture& yarn = *job.yarn;
         return m_scene->prepareCurves(yarn.curves, job.colourBy == ColourBy::Tension   ? Values(yarn.tension)
                                                    : job.colourBy == ColourBy::Contact ? Values(yarn.contact)
-                                                                                       : Values());
+                                                                                       : Values(moved));
     }
     const std::size_t expected = 3 * static_cast<std::size_t>(job.fabric->entryCount);
     if (!job.shape || job.shape->positions.size() != expected) {
         return m_scene->prepare({});
     }
     return m_scene->prepare(job.shape->positions,
-                            job.colourBy == ColourBy::Tension ? Values(job.shape->tension) : Values());
+                            job.colourBy == ColourBy::Tension ? Values(job.shape->tension) : Values(moved));
+}
+
+/// A picture may be made again of the same shape, in another style.
+void SceneWorker::rememberShape(const Job& job) {
+    if (job.shape != m_shape) {
+        m_shapeBefore = std::exchange(m_shape, job.shape);
+    }
+    if (job.yarn != m_yarn) {
+        m_yarnBefore = std::exchange(m_yarn, job.yarn);
+    }
+}
+
+std::vector<float> SceneWorker::movement(const Job& job) const {
+    if (job.yarn) {
+        return m_yarnBefore ? movementOfNodes(job.yarn->curves, m_yarnBefore->curves) : std::vector<float>();
+    }
+    return job.shape && m_shapeBefore
+               ? movementOfPoints(*job.fabric, job.shape->positions, m_shapeBefore->positions)
+               : std::vector<float>();
 }
 
 } // namespace knittsim::render

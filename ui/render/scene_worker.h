@@ -47,6 +47,8 @@ private:
     std::shared_ptr<const SceneFrame> prepare(const Job& job);
     void deliver(const Job& job);
     bool improve(const Job& job);
+    void rememberShape(const Job& job);
+    std::vector<float> movement(const Job& job) const;
 
     std::function<void()> m_ready;
     std::mutex m_mutex;
@@ -58,6 +60,9 @@ private:
     // Worker's thread only: the scene of the last job, kept while only the shape changes.
     std::unique_ptr<FabricScene> m_scene;
     std::shared_ptr<const fabric::Fabric> m_sceneFabric;
+    // The present shape and the one before it, for ColourBy::Speed.
+    std::shared_ptr<const simulation::Frame> m_shape, m_shapeBefore;
+    std::shared_ptr<const simulation::YarnPicture> m_yarn, m_yarnBefore;
     DrawStyle m_sceneStyle = DrawStyle::Yarn;
     std::vector<double> m_sceneDiameters;
 

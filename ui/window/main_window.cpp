@@ -14,8 +14,11 @@
 #include "ui/views/style/appearance.h"
 #include "ui/views/style/icons.h"
 #include "ui/window/banner.h"
+#include "ui/window/carrier_looks.h"
+#include "ui/window/comparison.h"
 #include "ui/window/gallery.h"
 #include "ui/window/opening_card.h"
+#include "ui/window/photograph_card.h"
 #include "ui/window/sample_card.h"
 #include "ui/window/status_line.h"
 
@@ -39,15 +42,6 @@ namespace knittsim::ui {
 namespace {
 
 constexpr int kSettleDelayMs = 350;
-
-std::vector<render::YarnLook> looksOf(const std::vector<document::CarrierYarn>& carriers) {
-    std::vector<render::YarnLook> looks;
-    looks.reserve(carriers.size());
-    for (const document::CarrierYarn& carrier : carriers) {
-        looks.push_back(render::lookOf(carrier.yarn));
-    }
-    return looks;
-}
 
 QString firstLocalFile(const QMimeData* data) {
     for (const QUrl& url : data->urls()) {
@@ -119,11 +113,13 @@ void MainWindow::buildCentre() {
     m_fabric->setFocusPolicy(Qt::StrongFocus);
     m_fabric->setDark(isDark(palette()));
     m_history = new HistoryCard(m_document, m_fabric);
+    m_photograph = new PhotographCard(*m_fabric);
     m_player = new StepPlayer(m_document, m_workspace);
     auto* work = new QVBoxLayout(m_workspace);
     work->setContentsMargins(0, 0, 0, 0);
     work->setSpacing(0);
-    work->addWidget(m_fabric, 1);
+    m_comparison = new Comparison(m_document, *m_fabric, m_workspace);
+    work->addWidget(m_comparison, 1);
     work->addWidget(m_player);
     m_pages->addWidget(m_gallery);
     m_pages->addWidget(m_workspace);
@@ -220,6 +216,9 @@ void MainWindow::connectFabric() {
     connect(m_fabric, &FabricView::measured, this, [this](double millimetres) {
         statusBar()->showMessage(tr("Tape: %1").arg(lengthText(millimetres)), 10000);
     });
+    connect(m_comparison, &Comparison::changed, this, &MainWindow::takeActions);
+    connect(m_comparison, &Comparison::failed, this,
+            [this](const QString& text) { m_banner->showMessage(Banner::Kind::Error, text); });
     connect(m_fabric, &FabricView::glFailed, this,
             [this](const QString& reason) { m_banner->showMessage(Banner::Kind::Note, reason); });
 }

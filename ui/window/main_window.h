@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/document/named_views.h"
 #include "ui/document/session.h"
 
 #include <QMainWindow>
@@ -18,6 +19,7 @@ namespace knittsim::ui {
 
 class Banner;
 class ChartEditor;
+class Comparison;
 class DiagnosticsPanel;
 class FabricView;
 class Gallery;
@@ -26,7 +28,9 @@ class LessonPanel;
 class MachineChoice;
 class NeedleBeds;
 class PatternGrid;
+class PhotographCard;
 class SimulationPanel;
+struct Photograph;
 class SourceView;
 class StatusLine;
 class StepPlayer;
@@ -135,6 +139,28 @@ private:
     QString describeLoop(int loop) const;
     void exportShown();
 
+    // main_window_compare.cpp
+    void buildCompareMenu(QMenu* view);
+    void takeCompareActions();
+    void compareWithFile();
+    void compareWithYarn();
+
+    // main_window_views.cpp
+    void buildViewsMenu(QMenu* view);
+    void takeViews();
+    void saveView();
+    void recallView(const QString& name);
+    void manageViews();
+
+    // main_window_photograph.cpp
+    void buildPhotographMenu(QMenu* view);
+    void takePhotographActions();
+    void choosePhotograph();
+    void openPhotograph(Photograph wanted);
+    void alignPhotograph();
+    void recallPhotograph();
+    void rememberPhotograph();
+
     // main_window_docks.cpp
     void buildDocks();
     QDockWidget* addDock(const QString& name, const QString& title, QWidget* content,
@@ -168,11 +194,15 @@ private:
     std::unique_ptr<document::Document> m_ownDocument;
     document::Document& m_document;
     document::Session m_session;
+    document::NamedViews m_views{m_session}; ///< of the open file
     QWidget* m_workspace = nullptr;
     QStackedWidget* m_pages = nullptr;
     Gallery* m_gallery = nullptr;
     Banner* m_banner = nullptr;
     FabricView* m_fabric = nullptr;
+    Comparison* m_comparison = nullptr; ///< has the fabric, and what lies beside it
+    PhotographCard* m_photograph = nullptr;
+    QString m_photographKey; ///< what is remembered of the photograph; empty while nothing is open
     HistoryCard* m_history = nullptr;
     StepPlayer* m_player = nullptr;
     PatternGrid* m_grid = nullptr;
@@ -198,6 +228,7 @@ private:
     QToolButton* m_problemButton = nullptr;
     MachineChoice* m_machine = nullptr;
     QMenu* m_recentMenu = nullptr;
+    QMenu* m_viewsMenu = nullptr;
     std::optional<document::Recovery::Leftover> m_leftover; ///< offered in the banner
     std::size_t m_problemsShown = 0;                        ///< errors and warnings
     QString m_nothingRuns;                                  ///< what the banner last said about ladders

@@ -17,6 +17,7 @@
 #include "ui/views/step_player/step_player.h"
 #include "ui/views/style/icons.h"
 #include "ui/views/yarn_library/yarn_panel.h"
+#include "ui/window/comparison.h"
 #include "ui/window/gallery.h"
 #include "ui/window/machine_choice.h"
 #include "ui/window/main_window.h"
@@ -139,6 +140,10 @@ void MainWindow::buildEditMenu() {
     addAction(menu, "actionSelectNone", tr("Select &nothing"), Qt::Key_Escape, {}, [this] {
         if (m_document.laddersRun()) {
             m_document.cancelLadders();
+        } else if (m_fabric->cancelAlignment()) {
+            takeActions();
+        } else if (m_document.selection() == document::Selection{} && m_comparison->isOpen()) {
+            m_comparison->close();
         } else {
             m_document.clearSelection();
         }
@@ -164,7 +169,7 @@ void MainWindow::buildViewMenu() {
     QAction* flat =
         addChoice(menu, nullptr, "actionOrthographic", tr("Ort&hographic"), Qt::Key_5, "ortho", [] {});
     connect(flat, &QAction::toggled, this, [this](bool on) { m_fabric->setOrthographic(on); });
-    addAction(menu, "actionFit", tr("Fit the fa&bric"), Qt::Key_F, "fit", [this] { m_fabric->fit(); });
+    addAction(menu, "actionFit", tr("Fit the fa&bric"), Qt::Key_F, "fit", [this] { m_comparison->fit(); });
     addAction(menu, "actionCentre", tr("&Centre on the selection"), Qt::Key_C, {}, [this] {
         if (m_fabric->selection() >= 0) {
             m_fabric->centreOn(m_fabric->selection());
@@ -184,6 +189,9 @@ void MainWindow::buildViewMenu() {
               [this] { m_fabric->setStyle(DrawStyle::Strokes); });
     addChoice(menu, styles, "actionStyleMesh", tr("Bonding points and &mesh"), Qt::ALT | Qt::Key_3,
               "style-mesh", [this] { m_fabric->setStyle(DrawStyle::Mesh); });
+    QAction* hair = addChoice(menu, nullptr, "actionHair", tr("Fu&zz of hairy yarn"), Qt::Key_Z, {}, [] {});
+    hair->setToolTip(tr("Loose fibres around hairy yarn, seen near by (Z)"));
+    connect(hair, &QAction::toggled, this, [this](bool on) { m_fabric->setHair(on); });
     auto* colours = new QActionGroup(this);
     colours->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
     QAction* tension =
@@ -191,8 +199,12 @@ void MainWindow::buildViewMenu() {
     QAction* contact = addChoice(menu, colours, "actionContact", tr("Contact force as colour"),
                                  Qt::SHIFT | Qt::Key_T, {}, [] {});
     contact->setToolTip(tr("How hard other yarn presses, when settled as yarn (Shift+T)"));
-    connect(colours, &QActionGroup::triggered, this, [this, tension, contact] {
+    QAction* speed = addChoice(menu, colours, "actionSpeed", tr("Speed of settling as colour"),
+                               Qt::CTRL | Qt::SHIFT | Qt::Key_Y, {}, [] {});
+    speed->setToolTip(tr("How far the yarn has moved since the last picture (Ctrl+Shift+Y)"));
+    connect(colours, &QActionGroup::triggered, this, [this, tension, contact, speed] {
         m_fabric->setColourBy(tension->isChecked()   ? render::ColourBy::Tension
+                              : speed->isChecked()   ? render::ColourBy::Speed
                               : contact->isChecked() ? render::ColourBy::Contact
                                                      : render::ColourBy::Yarn);
     });
@@ -200,6 +212,9 @@ void MainWindow::buildViewMenu() {
                                  Qt::Key_H, {}, [] {});
     connect(history, &QAction::toggled, this, [this](bool on) { m_history->setSwitchedOn(on); });
     buildOverlayMenu(menu);
+    buildCompareMenu(menu);
+    buildViewsMenu(menu);
+    buildPhotographMenu(menu);
     menu->addSeparator();
     QAction* beds = m_bedDock->toggleViewAction();
     beds->setObjectName(QStringLiteral("actionNeedleBeds"));
@@ -446,6 +461,8 @@ void MainWindow::takeActions() {
     for (const char* name : {"actionSave", "actionSaveAs"}) {
         findChild<QAction*>(QString::fromLatin1(name))->setEnabled(m_document.project() != nullptr);
     }
+    takeCompareActions();
+    takePhotographActions();
     findChild<QAction*>(QStringLiteral("actionExportReport"))->setEnabled(open || m_document.failedFile());
     const bool running = m_document.activity() == document::Activity::Settling;
     QAction* run = findChild<QAction*>(QStringLiteral("actionRun"));
@@ -465,6 +482,7 @@ void MainWindow::takeActions() {
                                                       : QStringLiteral("actionStyleMesh"))
         ->setChecked(true);
     const std::initializer_list<std::pair<const char*, bool>> overlays{
+        {"actionHair", m_fabric->hasHair()},
         {"actionLegend", m_fabric->hasLegend()},
         {"actionDimensions", m_fabric->hasDimensions()},
         {"actionMarks", m_fabric->hasProblemMarks()},

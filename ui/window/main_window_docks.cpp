@@ -33,6 +33,7 @@ const QString kArrangement = QStringLiteral("window/arrangement3"); // the numbe
 const QString kLayout = QStringLiteral("window/layout");
 const QString kStyle = QStringLiteral("window/style");
 const QString kOrthographic = QStringLiteral("window/orthographic");
+const QString kHair = QStringLiteral("window/hair");
 const QString kLegend = QStringLiteral("window/legend");
 const QString kHistory = QStringLiteral("window/history");
 
@@ -193,6 +194,7 @@ void MainWindow::restoreSession() {
                        : style == 2 ? render::DrawStyle::Mesh
                                     : render::DrawStyle::Yarn);
     m_fabric->setOrthographic(m_session.value(kOrthographic) == "1");
+    m_fabric->setHair(m_session.value(kHair) != "0");
     m_fabric->setLegend(m_session.value(kLegend) != "0");
     m_history->setSwitchedOn(m_session.value(kHistory) != "0");
 }
@@ -206,6 +208,7 @@ void MainWindow::saveSession() {
                                : style == render::DrawStyle::Mesh  ? "2"
                                                                    : "0");
     m_session.setValue(kOrthographic, m_fabric->isOrthographic() ? "1" : "0");
+    m_session.setValue(kHair, m_fabric->hasHair() ? "1" : "0");
     m_session.setValue(kLegend, m_fabric->hasLegend() ? "1" : "0");
     m_session.setValue(kHistory, m_history->isSwitchedOn() ? "1" : "0");
 }

@@ -77,6 +77,7 @@ void MainWindow::exportShown() {
     if (m_document.showsYarn()) {
         const auto picture = m_document.yarnRun().shape()->picture;
         source.curves = {picture, &picture->curves};
+        source.surroundings = m_document.yarnRun().surroundings();
         source.places = picture->positions;
     } else if (const auto frame = m_document.shownFrame()) {
         source.places = frame->positions;
@@ -86,6 +87,7 @@ void MainWindow::exportShown() {
     source.camera = m_fabric->cameraState();
     source.section = m_fabric->section();
     source.keep = m_fabric->shownPoints();
+    source.hair = m_fabric->hasHair();
     source.dark = isDark(palette());
     const QString name = QFileInfo(m_document.title()).completeBaseName();
     auto* dialog =

@@ -15,6 +15,7 @@ constexpr double kAhead = 1.6;   ///< range over what the yarns keep apart by no
 constexpr double kGrowth = 1.05; ///< in a sweep
 constexpr double kSmoothing = 0.15;
 constexpr double kRelaxation = 1.2;
+constexpr double kNearest = 0.1; ///< of what strands keep apart by now
 } // namespace
 
 YarnGrowth::YarnGrowth(const YarnChains& chains, std::vector<Entry> fixed, double thickness)
@@ -150,16 +151,22 @@ double YarnGrowth::sweep(Vector& x) {
     m_move.setZero(x.size());
     m_weight.assign(nodes, 0);
     m_clearance.assign(nodes, m_range);
-    pullLengths(x);
     pushApart(x);
+    m_push = m_move;
+    m_pushes = m_weight;
+    pullLengths(x);
     smooth(x);
     for (const Entry e : m_fixed) {
         at(m_move, e).setZero();
+        at(m_push, e).setZero();
     }
     double largest = 0;
     for (std::size_t i = 0; i < nodes; ++i) {
         const auto e = static_cast<Entry>(i);
-        Eigen::Vector3d move = at(m_move, e) * (kRelaxation / std::max(1.0, m_weight[i]));
+        // What lengths press together sweep after sweep would end up touching: near strands, only they count.
+        const bool pressed = m_clearance[i] < kNearest * m_thickness * m_thickest;
+        const double weight = pressed ? m_pushes[i] : m_weight[i];
+        Eigen::Vector3d move = at(pressed ? m_push : m_move, e) * (kRelaxation / std::max(1.0, weight));
         const double length = move.norm();
         const double most = kShare * m_clearance[i];
         if (length > most) {

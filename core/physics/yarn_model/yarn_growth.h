@@ -71,6 +71,8 @@ private:
     std::vector<Pair> m_pairs;
     Vector m_move;
     std::vector<double> m_weight;    ///< by node
+    Vector m_push;                   ///< the part of m_move that pushes strands apart
+    std::vector<double> m_pushes;    ///< by node, its weight
     std::vector<double> m_clearance; ///< by node
 };
 

@@ -69,6 +69,35 @@ private slots:
         QVERIFY(QFileInfo::exists(m_out->filePath("swatch.mtl")));
     }
 
+    void writesTheSettlingAsAFolderOfPictures() {
+        openSample("plain");
+        openDialog();
+        find<QComboBox>("exportFormat")->setCurrentIndex(7);
+        QVERIFY(find<QLineEdit>("exportPath")->text().endsWith(".frames"));
+        find<QSpinBox>("exportWidth")->setValue(64);
+        find<QSpinBox>("exportHeight")->setValue(48);
+        const QString path = m_out->filePath("plain.frames");
+        setPath(path);
+        QTest::mouseClick(find<QPushButton>("exportStart"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_dialog, 60000);
+        const QStringList pictures = QDir(path).entryList({"*.png"});
+        QVERIFY(pictures.size() >= 10);
+        QCOMPARE(pictures.first(), QString("0001.png"));
+        QVERIFY(QImage(path + "/0001.png") != QImage(path + '/' + pictures.last()));
+        QVERIFY(!QFileInfo::exists(path + ".part"));
+    }
+
+    void aCancelledSequenceLeavesNothing() {
+        openSample("plain");
+        openDialog();
+        find<QComboBox>("exportFormat")->setCurrentIndex(7);
+        setPath(m_out->filePath("plain.frames"));
+        QTest::mouseClick(find<QPushButton>("exportStart"), Qt::LeftButton);
+        QTest::mouseClick(find<QPushButton>("exportCancel"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_dialog, 30000);
+        QVERIFY(QDir(m_out->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).isEmpty());
+    }
+
     void aPictureHasItsSizeAndNoBackground() {
         openSample("plain");
         openDialog();

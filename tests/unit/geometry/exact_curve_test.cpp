@@ -54,18 +54,25 @@ std::vector<fs::path> programsIn(const fs::path& folder) {
     return files;
 }
 
-void expectExact(const fs::path& file) {
+double asStored(const CurveReport& report) {
+    return static_cast<double>(report.piecesAsStored) / static_cast<double>(report.pieces);
+}
+
+/// `least`: share of the pieces of yarn that are as long as stored. Where floats lie in several layers and
+/// yarns wait beside others for many courses, the projection alone is longer.
+void expectExact(const fs::path& file, double least) {
     const CurveReport report = exact(file).report;
     const std::string name = file.parent_path().filename() / file.filename();
     EXPECT_TRUE(report.crossings.faults.empty()) << name << " of " << report.crossings.expected;
     EXPECT_TRUE(report.certificate.holds()) << name;
     EXPECT_GT(report.nearest.mm, 0) << name;
     EXPECT_GT(report.crossings.expected, 0U) << name;
+    EXPECT_GE(asStored(report), least) << name;
 }
 
 TEST(ExactCurve, EverySampleHasTheCrossingsThatItsBooksName) {
     for (const fs::path& file : programsIn(fs::path(KNITTSIM_SOURCE_DIR) / "resources" / "patterns")) {
-        expectExact(file);
+        expectExact(file, 0.97);
     }
 }
 
@@ -75,7 +82,7 @@ TEST(ExactCurve, EveryProgramFromAMachineHasTheCrossingsThatItsBooksName) {
         GTEST_SKIP() << "no programs in " << test::machineData();
     }
     for (const fs::path& file : files) {
-        expectExact(file);
+        expectExact(file, 0.65);
     }
 }
 
@@ -97,9 +104,8 @@ TEST(ExactCurve, ThinYarnCrossesTheSame) {
 
 TEST(ExactCurve, PlainKnitIsAsLongAsItsYarn) {
     const CurveReport report = exact(test::knit("ffffffffffff", 12)).report;
-    EXPECT_GT(report.spans, 500U);
-    // All but the cast-on, the sinkers at the edges and the loops that hang at the end.
-    EXPECT_GE(static_cast<double>(report.spansAsStored), 0.9 * static_cast<double>(report.spans));
+    EXPECT_GT(report.pieces, 500U);
+    EXPECT_GE(asStored(report), 0.98); // all but the turns at the edges
 }
 
 TEST(ExactCurve, StrandsAreAThirdOfADiameterApartInPlainKnit) {

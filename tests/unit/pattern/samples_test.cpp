@@ -95,7 +95,10 @@ TEST_P(EverySample, MakesTheLoopsOfItsChart) {
                     : isWorked(cell.stitch) && cell.stitch != Stitch::Miss ? 1
                                                                            : 0;
     }
-    const auto wales = static_cast<std::size_t>(chart.width);
+    std::size_t wales = 0; // that the cast-on is for
+    for (int wale = 0; wale < chart.width; ++wale) {
+        wales += chart.at(wale, 0).stitch != Stitch::Empty ? 1 : 0;
+    }
     const std::size_t castOn = chart.beds == BedUse::Double ? 2 * wales : wales;
     std::size_t joins = 0;
     const Program program = makeSample(GetParam());

@@ -83,10 +83,10 @@ TEST(FabricYarns, LeaveOutEverySecondNodeAndKeepTheRest) {
     const FabricYarns dense = layYarns(f, {}, {.nodesPerLoop = 36});
     const FabricYarns half = withHalfTheNodes(f, dense, dense.chains.start());
     ASSERT_STREQ(half.chains.problem(), "");
-    EXPECT_EQ(dense.chains.nodeCount(), 2 * half.chains.nodeCount() - 1);
+    EXPECT_EQ((dense.chains.nodeCount() + 2) / 2, half.chains.nodeCount());
     EXPECT_EQ(half.chains.nodes.col(7), dense.chains.nodes.col(14));
     EXPECT_EQ(half.piece[7], dense.piece[14]);
-    EXPECT_DOUBLE_EQ(half.chains.restLength[3], 2 * dense.chains.restLength[6]);
+    EXPECT_DOUBLE_EQ(half.chains.restLength[3], dense.chains.restLength[6] + dense.chains.restLength[7]);
     for (std::size_t p = 0; p < half.nodeOfPoint.size(); ++p) {
         EXPECT_EQ(half.nodeOfPoint[p], dense.nodeOfPoint[p] / 2);
     }
@@ -113,6 +113,22 @@ TEST(FabricYarns, KnowEachYarnOfAFabricOfTwo) {
     EXPECT_NE(carriers[0], carriers[1]);
 }
 
+TEST(FabricYarns, KeepTheNodesThatMustStay) {
+    const fabric::Fabric f = build(pattern::makePlain(6, 6));
+    const FabricYarns dense = layYarns(f, {}, {.nodesPerLoop = 36});
+    std::vector<char> kept(static_cast<std::size_t>(dense.chains.nodeCount()), 0);
+    kept[15] = 1;
+    const FabricYarns half = withHalfTheNodes(f, dense, dense.chains.start(), kept);
+    ASSERT_STREQ(half.chains.problem(), "");
+    EXPECT_EQ((dense.chains.nodeCount() + 2) / 2 + 1, half.chains.nodeCount());
+    EXPECT_EQ(half.chains.nodes.col(8), dense.chains.nodes.col(15));
+    EXPECT_EQ(half.chains.nodes.col(9), dense.chains.nodes.col(16));
+    EXPECT_DOUBLE_EQ(half.chains.restLength[7], dense.chains.restLength[14]);
+    EXPECT_DOUBLE_EQ(half.chains.restLength[9], dense.chains.restLength[16] + dense.chains.restLength[17]);
+    const auto yarnOf = [](const FabricYarns& yarns) { return physics::arcLengths(yarns.chains).back(); };
+    EXPECT_NEAR(yarnOf(half), yarnOf(dense), 1e-9);
+}
+
 class Plain12 : public ::testing::Test {
 protected:
     static void SetUpTestSuite() {
@@ -137,8 +153,11 @@ TEST_F(Plain12, ComesToRestWithoutOverlap) {
     const YarnAudit audit = s_settling->audit();
     EXPECT_EQ(audit.coreOverlaps, 0);
     EXPECT_GT(audit.expectedCrossings, 500U);
-    // Away from the edges, where loops roll up, the shape shows that every loop is drawn through.
-    for (const geometry::PullThrough& doubt : audit.pullThroughs) {
+    EXPECT_EQ(audit.laidCrossings, audit.expectedCrossings);
+    EXPECT_EQ(audit.passThroughs(), 0U);
+    // Away from the edges, where loops roll up, the shape itself shows that every loop is drawn through.
+    for (const geometry::PullThrough& doubt :
+         geometry::certifyTopology(*s_fabric, s_settling->curves()).failures) {
         const int needle = s_fabric->made.loops[static_cast<std::size_t>(doubt.loop)].needle.index;
         const int course = s_fabric->loops[static_cast<std::size_t>(doubt.loop)].course;
         EXPECT_TRUE(needle <= 3 || needle >= 10 || course <= 2 || course >= 10) << needle << ' ' << course;
@@ -265,8 +284,9 @@ TEST_F(Handled, ThickerYarnGoesOnFromTheShapeToTheSizeOfItsOwnFabric) {
     }
     const geometry::Measurement own = measureInner(m_fabric, fresh);
     const geometry::Measurement swapped = measureInner(m_fabric, m_settling);
-    EXPECT_NEAR(swapped.waleSpacingMm / own.waleSpacingMm, 1, 0.05);
-    EXPECT_NEAR(swapped.courseSpacingMm / own.courseSpacingMm, 1, 0.05);
+    // Of four by four stitches, which friction holds a little where they came from.
+    EXPECT_NEAR(swapped.waleSpacingMm / own.waleSpacingMm, 1, 0.06);
+    EXPECT_NEAR(swapped.courseSpacingMm / own.courseSpacingMm, 1, 0.06);
     EXPECT_NEAR(m_settling.yarns().chains.yarns.back().outerDiameter, 1.3, 1e-12);
 }
 

@@ -4,6 +4,7 @@
 #include "core/fabric/needle_hooks.h"
 #include "core/geometry/measure.h"
 #include "core/geometry/stitch_lattice.h"
+#include "ui/views/fabric_view/photograph.h"
 
 #include <QString>
 
@@ -35,7 +36,9 @@ struct Annotations {
     std::vector<fabric::NeedleHook> needles; ///< from which loops hang
     std::vector<Vec3f> tape;                 ///< ends that are set, mm; none, one or two
     std::optional<Vec3f> tapeEnd;            ///< where the second one would be set now
-    QString alone;                           ///< what is shown alone, in words; empty: all
+    Photograph photograph;
+    int alignClicks = -1; ///< done while it is aligned by two points; -1: it is not
+    QString alone;        ///< what is shown alone, in words; empty: all
 };
 
 /// "12.3 mm (0.48 in)"

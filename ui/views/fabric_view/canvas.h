@@ -27,6 +27,7 @@ struct CanvasContent {
     std::optional<std::pair<Vec3f, Vec3f>> pull; ///< where a person pulls yarn, and where to
     render::ColourBy colourBy = render::ColourBy::Yarn;
     std::optional<render::Section> section;
+    bool hair = true; ///< of hairy yarn seen near by
     bool dark = false;
     bool legend = true; ///< explain the bare mesh
     double paintMs = 0; ///< told back by the canvas

@@ -81,6 +81,7 @@ void FabricView::setColourBy(render::ColourBy what) {
         m->content.colourBy = what;
         m->overlay->update();
         m->request();
+        emit displayChanged();
     }
 }
 
@@ -107,6 +108,7 @@ void FabricView::setStyle(render::DrawStyle style) {
     if (style != m->style) {
         m->style = style;
         m->request();
+        emit displayChanged();
     }
 }
 
@@ -151,7 +153,9 @@ void FabricView::centreOn(int loop) {
 void FabricView::fit() {
     m->fitPending = !m->content.scene;
     if (m->content.scene) {
-        m->moveCamera([&](render::Camera& camera) { camera.fit(m->content.scene->bounds); });
+        m->fitCamera();
+        m->overlay->update();
+        m->canvas->refresh();
     }
     m->followFit = true;
 }
@@ -190,6 +194,7 @@ void FabricView::setOrthographic(bool on) {
     m->content.camera.setOrthographic(on);
     m->overlay->update();
     m->canvas->refresh();
+    emit cameraMoved();
 }
 
 bool FabricView::isOrthographic() const {
@@ -200,6 +205,17 @@ void FabricView::setDark(bool on) {
     m->content.dark = on;
     m->overlay->update();
     m->canvas->refresh();
+    emit displayChanged();
+}
+
+void FabricView::setHair(bool on) {
+    m->content.hair = on;
+    m->canvas->refresh();
+    emit displayChanged();
+}
+
+bool FabricView::hasHair() const {
+    return m->content.hair;
 }
 
 void FabricView::setLegend(bool on) {
@@ -220,6 +236,35 @@ render::CameraState FabricView::cameraState() const {
     return m->content.camera.state();
 }
 
+void FabricView::setCameraState(const render::CameraState& state) {
+    m->fitPending = false;
+    m->moveCamera([&](render::Camera& camera) { camera.setState(state); });
+}
+
+geometry::Bounds FabricView::bounds() const {
+    return m->content.scene ? m->content.scene->bounds : geometry::Bounds();
+}
+
+void FabricView::setFitRoom(const Vec3f& size) {
+    m->fitRoom = size;
+    if (m->followFit && m->content.scene) {
+        m->fitCamera();
+        m->overlay->update();
+        m->canvas->refresh();
+    }
+}
+
+void FabricView::takeDisplay(const FabricView& other) {
+    setStyle(other.style());
+    setColourBy(other.colourBy());
+    setDark(other.m->content.dark);
+    setHair(other.hasHair());
+    setDimensions(other.hasDimensions());
+    setGuides(other.hasGuides());
+    setProblemMarks(other.hasProblemMarks());
+    setLegend(other.hasLegend());
+}
+
 QByteArray FabricView::saveCamera() const {
     return toBytes(m->content.camera.state());
 }
@@ -227,8 +272,7 @@ QByteArray FabricView::saveCamera() const {
 bool FabricView::restoreCamera(const QByteArray& bytes) {
     const auto state = cameraFromBytes(bytes);
     if (state) {
-        m->fitPending = false;
-        m->moveCamera([&](render::Camera& camera) { camera.setState(*state); });
+        setCameraState(*state);
     }
     return state.has_value();
 }

@@ -82,7 +82,9 @@ public:
 
     void setOrthographic(bool on);
     bool isOrthographic() const;
-    void setDark(bool on);   ///< dark or light background
+    void setDark(bool on); ///< dark or light background
+    void setHair(bool on); ///< loose fibres of hairy yarn, seen near by
+    bool hasHair() const;
     void setLegend(bool on); ///< explains the bonding points of the mesh style
     bool hasLegend() const;
     void setDragMode(bool on); ///< plain left drag pulls bonding points
@@ -113,6 +115,16 @@ public:
     Alone alone() const;
     std::vector<bool> shownPoints() const; ///< by bonding point of the fabric shown; empty: all
 
+    /// A photograph over or beside the fabric; it stays when the fabric changes.
+    void setPhotograph(Photograph photograph);
+    const Photograph& photograph() const;
+    /// The next four clicks align it: a point of the photograph, the same of the fabric, and once more. False
+    /// where there is nothing to align.
+    bool startAlignment();
+    bool cancelAlignment(); ///< whether it ran
+    bool isAligning() const;
+    bool seesBack() const; ///< the camera looks at the technical back
+
     /// What the tool tip says of a loop.
     void setDescriber(std::function<QString(int loop)> describer);
 
@@ -120,6 +132,14 @@ public:
     std::optional<geometry::Measurement> measurement() const; ///< of the shape wanted
 
     render::CameraState cameraState() const;
+    void setCameraState(const render::CameraState& state); ///< emits cameraMoved()
+    geometry::Bounds bounds() const;                       ///< of the yarn shown, mm; empty: nothing is shown
+
+    /// fit() leaves room for a box of this size too, mm, so that two fabrics can be seen in one scale.
+    void setFitRoom(const Vec3f& size);
+
+    /// Style, colours and annotations as in another view; not its legends' content.
+    void takeDisplay(const FabricView& other);
 
     /// Camera direction, place, zoom and kind of projection. restoreCamera() returns false for foreign bytes.
     QByteArray saveCamera() const;
@@ -143,6 +163,10 @@ signals:
     void loopHovered(int loop);   ///< -1: left the yarn
     void dragMoved(int point, QVector3D placeMm); ///< the yarn at a bonding point, to there
     void dragEnded();
+    void cameraMoved();
+    void photographChanged();
+    void displayChanged();             ///< what takeDisplay() takes
+    void sceneChanged();               ///< another shape is shown; bounds()
     void measured(double millimetres); ///< both ends of the tape are set
     void glFailed(QString reason);     ///< once; a sentence for the user
 

@@ -105,6 +105,7 @@ void FabricView::Implementation::tapeClick(QPointF where) {
 void FabricView::setDimensions(bool on) {
     m->annotations.dimensions = on;
     m->overlay->update();
+    emit displayChanged();
 }
 bool FabricView::hasDimensions() const {
     return m->annotations.dimensions;
@@ -113,6 +114,7 @@ bool FabricView::hasDimensions() const {
 void FabricView::setGuides(bool on) {
     m->annotations.guides = on;
     m->annotate();
+    emit displayChanged();
 }
 bool FabricView::hasGuides() const {
     return m->annotations.guides;
@@ -121,6 +123,7 @@ bool FabricView::hasGuides() const {
 void FabricView::setProblemMarks(bool on) {
     m->annotations.marks = on;
     m->overlay->update();
+    emit displayChanged();
 }
 bool FabricView::hasProblemMarks() const {
     return m->annotations.marks;

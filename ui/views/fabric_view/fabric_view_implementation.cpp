@@ -60,8 +60,8 @@ void FabricView::Implementation::placeChildren() {
     content.camera.setViewport(view.width(), view.height());
     canvas->widget()->setGeometry(view.rect());
     canvas->widget()->show();
+    canvas->widget()->lower(); // a new one as well; cards stay above the overlay
     overlay->setGeometry(view.rect());
-    overlay->raise();
 }
 
 void FabricView::Implementation::request() {
@@ -83,9 +83,10 @@ void FabricView::Implementation::takePicture() {
     placeMarks();
     if ((fitPending || (following && followFit)) && !content.scene->bounds.empty()) {
         fitPending = false;
-        content.camera.fit(content.scene->bounds);
+        fitCamera();
     }
     changed();
+    emit view.sceneChanged();
 }
 
 void FabricView::Implementation::changed() {
@@ -97,11 +98,21 @@ void FabricView::Implementation::changed() {
     canvas->refresh();
 }
 
+void FabricView::Implementation::fitCamera() {
+    geometry::Bounds box = content.scene->bounds;
+    const Vec3f centre = box.centre();
+    box.low = box.low.cwiseMin(centre - 0.5F * fitRoom);
+    box.high = box.high.cwiseMax(centre + 0.5F * fitRoom);
+    content.camera.fit(box);
+    emit view.cameraMoved();
+}
+
 void FabricView::Implementation::moveCamera(const std::function<void(render::Camera&)>& move) {
     followFit = false;
     move(content.camera);
     overlay->update();
     canvas->refresh();
+    emit view.cameraMoved();
 }
 
 void FabricView::Implementation::look(render::ViewSide side) {

@@ -6,6 +6,7 @@
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/fabric_view/overlay.h"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -27,7 +28,9 @@ struct FabricView::Implementation {
     std::vector<int> pins;                                ///< bonding points of `fabric`
     std::shared_ptr<const render::SceneFrame> wholeScene; ///< of which content.scene may be a part
     Annotations annotations;
-    std::vector<LoopProblem> problems; ///< of `fabric`
+    std::array<QPointF, 2> photoPoints;  ///< pixels, while a photograph is aligned
+    std::array<QPointF, 2> fabricPoints; ///< mm
+    std::vector<LoopProblem> problems;   ///< of `fabric`
     std::function<QString(int)> describer;
     Alone alone = Alone::Nothing;
     int aloneIndex = -1;    ///< yarn or course
@@ -37,9 +40,10 @@ struct FabricView::Implementation {
     Overlay* overlay = nullptr;
     bool hasGl = true;
     QString glReason;
-    bool fitPending = true; ///< fit as soon as there is a picture
-    bool following = false; ///< see setFollowing()
-    bool followFit = true;  ///< the person has not moved the camera since the last fit
+    bool fitPending = true;        ///< fit as soon as there is a picture
+    bool following = false;        ///< see setFollowing()
+    bool followFit = true;         ///< the person has not moved the camera since the last fit
+    Vec3f fitRoom = Vec3f::Zero(); ///< see setFitRoom()
     bool dragMode = false;
     int selectedPoint = -1; ///< of `fabric`
 
@@ -55,6 +59,7 @@ struct FabricView::Implementation {
     void request();
     void takePicture();
     void changed();
+    void fitCamera();
     void moveCamera(const std::function<void(render::Camera&)>& move);
     void look(render::ViewSide side);
     std::optional<geometry::Pick> pickAt(QPointF where) const;
@@ -65,6 +70,7 @@ struct FabricView::Implementation {
     std::optional<Vec3f> placeOfLoop(int loop) const;
     void takePlaces(std::span<const float> positions);
     void annotate();
+    void alignClick(QPointF where);
     void showParts();
     std::optional<Vec3f> tapePlaceAt(QPointF where) const;
     void tapeClick(QPointF where);

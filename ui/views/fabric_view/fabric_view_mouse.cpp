@@ -21,7 +21,7 @@ constexpr double kWheelStep = 1.2; ///< zoom of one notch
 void FabricView::resizeEvent(QResizeEvent*) {
     m->placeChildren();
     if (m->followFit && m->content.scene) {
-        m->content.camera.fit(m->content.scene->bounds);
+        m->fitCamera();
     }
 }
 
@@ -84,6 +84,8 @@ void FabricView::mouseReleaseEvent(QMouseEvent* event) {
         setDragMode(m->dragMode);
         m->placeMarks();
         emit dragEnded();
+    } else if (gesture == Gesture::Press && isAligning()) {
+        m->alignClick(event->position());
     } else if (gesture == Gesture::Press && m->annotations.taping) {
         m->tapeClick(event->position());
     } else if (gesture == Gesture::Press) {

@@ -15,6 +15,8 @@ namespace knittsim::ui {
 
 namespace {
 
+constexpr GLenum kContextLost = 0x0507; ///< GL_CONTEXT_LOST, of OpenGL 4.5 and of extensions before
+
 QSurfaceFormat wantedFormat() {
     QSurfaceFormat format;
     format.setVersion(3, 3);
@@ -118,8 +120,13 @@ protected:
         view.width = qRound(width() * devicePixelRatioF());
         view.height = qRound(height() * devicePixelRatioF());
         view.section = m_content.section;
+        view.hair = m_content.hair;
         view.dark = m_content.dark;
         m_renderer->draw(view);
+        if (context()->functions()->glGetError() == kContextLost) {
+            giveUp(tr("The graphics driver was reset."));
+            return;
+        }
         m_content.paintMs = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
     }
 

@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kMargin = 12;
 constexpr double kScalePixels = 140;
+constexpr int kLeastForAxes = 400; ///< width of the view
 constexpr float kSeenFlat = 0.15F; ///< cosine to the fabric's normal below which neither face is seen
 
 QColor opaque(QColor colour) {
@@ -68,6 +69,15 @@ std::vector<Overlay::Word> Overlay::words() const {
     if (m_content.section) {
         words.push_back({tr("section: Alt and wheel move it")});
     }
+    if (m_annotations.alignClicks >= 0) {
+        const std::array texts{
+            tr("click a point of the photograph"), tr("click the same point of the fabric"),
+            tr("click a second point of the photograph"), tr("click the second point of the fabric")};
+        words.push_back({texts[static_cast<std::size_t>(m_annotations.alignClicks)]});
+    } else if (m_annotations.photograph.visible()) {
+        words.push_back(
+            {m_annotations.photograph.beside ? tr("photograph beside") : tr("photograph over it")});
+    }
     if (m_annotations.taping) {
         words.push_back({m_annotations.tape.size() == 1 ? tr("tape: click the second point")
                                                         : tr("tape: click the first point")});
@@ -79,6 +89,7 @@ void Overlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_content.scene) {
+        paintPhoto(painter);
         const OverlayInk colours = overlayInk(m_content.dark);
         if (m_annotations.guides) {
             paintGuides(painter, m_content, m_annotations, colours);
@@ -105,6 +116,17 @@ void Overlay::paintEvent(QPaintEvent*) {
         paintAxes(painter);
     }
     paintMessage(painter);
+}
+
+/// While it is aligned it is seen alone, or not at all.
+void Overlay::paintPhoto(QPainter& painter) const {
+    Photograph photograph = m_annotations.photograph;
+    if (m_annotations.alignClicks >= 0) {
+        photograph.opacity = 1;
+        photograph.wipe = 0;
+        photograph.shown = photograph.beside || m_annotations.alignClicks % 2 == 0;
+    }
+    paintPhotograph(painter, size(), m_content, photograph);
 }
 
 /// The badge and the words below it; returns where the next thing may begin.
@@ -171,9 +193,11 @@ void Overlay::paintColours(QPainter& painter, int top) const {
     constexpr int kBarWidth = 176;
     constexpr int kBarHeight = 12;
     const render::ValueRange& range = m_content.scene->range;
+    const bool speed = m_content.colourBy == render::ColourBy::Speed;
     const QString what = m_content.colourBy == render::ColourBy::Tension ? tr("Yarn tension (mN)")
-                                                                         : tr("Contact force (mN/mm)");
-    const QString none = tr("Not known for this shape yet");
+                         : speed ? tr("Moved since the last picture (mm)")
+                                 : tr("Contact force (mN/mm)");
+    const QString none = speed ? tr("Nothing has moved") : tr("Not known for this shape yet");
     const int line = fontMetrics().height();
     const int inner = std::max({kBarWidth, fontMetrics().horizontalAdvance(what),
                                 range.empty() ? fontMetrics().horizontalAdvance(none) : 0});
@@ -284,6 +308,9 @@ void Overlay::paintScale(QPainter& painter) const {
 }
 
 void Overlay::paintAxes(QPainter& painter) const {
+    if (width() < kLeastForAxes) {
+        return; // they would lie on the dimensions
+    }
     constexpr double kLength = 26;
     const QPointF origin(kMargin + kLength, height() - kMargin - kLength);
     struct Axis {

@@ -35,6 +35,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void paintPhoto(QPainter& painter) const;
     int paintWords(QPainter& painter) const;
     int paintLegend(QPainter& painter, int top) const;
     void paintColours(QPainter& painter, int top) const;

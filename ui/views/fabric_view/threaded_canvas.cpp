@@ -67,6 +67,7 @@ public:
         request.view.width = pixels.width();
         request.view.height = pixels.height();
         request.view.section = m_content.section;
+        request.view.hair = m_content.hair;
         request.view.dark = m_content.dark;
         m_thread->post(std::move(request));
     }

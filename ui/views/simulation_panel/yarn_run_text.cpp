@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <utility>
+
 namespace knittsim::ui {
 
 namespace {
@@ -17,6 +19,30 @@ QString millimetres(double value, int decimals) {
 
 bool atRest(const document::YarnShape& shape) {
     return shape.finished && physics::isAtRest(shape.verdict);
+}
+
+QString placeOf(const document::YarnShape& shape, machine::LoopIndex loop) {
+    if (loop < 0) {
+        return tr("a loose end");
+    }
+    const auto i = static_cast<std::size_t>(loop);
+    return tr("%1 in course %2")
+        .arg(QString::fromStdString(toString(shape.fabric->made.loops[i].needle)))
+        .arg(shape.fabric->loops[i].course);
+}
+
+/// Whether yarn went through yarn, and where first.
+QString passedText(const document::YarnShape& shape) {
+    const simulation::YarnAudit& audit = shape.audit;
+    if (audit.passThroughs() == 0) {
+        return tr("No yarn went through another on the way");
+    }
+    const auto [loop, other] = audit.laidWrong.empty()
+                                   ? std::pair(audit.passages.front().loop, audit.passages.front().other)
+                                   : std::pair(audit.laidWrong.front().loop, audit.laidWrong.front().parent);
+    return tr("%1 times yarn went through yarn, first at %2 and %3")
+        .arg(audit.passThroughs())
+        .arg(placeOf(shape, loop), placeOf(shape, other));
 }
 
 } // namespace
@@ -53,13 +79,7 @@ QString yarnRunDetails(const document::YarnRun& run) {
     const simulation::YarnAudit& audit = shape->audit;
     text += u'\n' + (audit.coreOverlaps == 0 ? tr("No yarn is inside another")
                                              : tr("%1 places where yarns overlap").arg(audit.coreOverlaps));
-    if (audit.cutCorners > 0) {
-        text += u'\n' + tr("At %1 places a yarn may have passed another").arg(audit.cutCorners);
-    }
-    if (!audit.pullThroughs.empty()) {
-        text += u'\n' + tr("%1 stitches lie so that their topology cannot be read off the shape")
-                            .arg(audit.pullThroughs.size());
-    }
+    text += u'\n' + passedText(*shape);
     return text;
 }
 

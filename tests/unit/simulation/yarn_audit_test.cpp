@@ -1,0 +1,56 @@
+#include "core/fabric/fabric_builder.h"
+#include "core/formats/formats.h"
+#include "core/pattern/swatch.h"
+#include "core/simulation/yarn_settling.h"
+#include "tests/support/machine_data.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace knittsim::simulation {
+namespace {
+
+/// Small programs of real machines, with tucks on both beds, splits, waste yarn and loops let go at the end.
+class RealPrograms : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(RealPrograms, SettleWithoutAnyYarnGoingThroughAnother) {
+    const std::filesystem::path file = test::machineData() / GetParam();
+    if (!std::filesystem::exists(file)) {
+        GTEST_SKIP() << "no machine data";
+    }
+    const auto program = formats::readProgram(file);
+    ASSERT_TRUE(program);
+    const fabric::Fabric f =
+        fabric::buildFabric(machine::Timeline(program.value(), machine::genericProfile()));
+    YarnSettling settling(f, {}, {});
+    while (settling.step({})) {
+    }
+    const YarnAudit audit = settling.audit();
+    EXPECT_EQ(audit.coreOverlaps, 0);
+    EXPECT_EQ(audit.laidWrong.size(), 0U);
+    EXPECT_EQ(audit.passages.size(), 0U);
+    EXPECT_EQ(audit.laidCrossings, audit.expectedCrossings);
+    EXPECT_GT(audit.expectedCrossings, 50U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, RealPrograms,
+                         ::testing::Values("kniterate-backend/position-keep.k",
+                                           "kniterate-backend/position-center.k",
+                                           "kniterate-backend/split.k"),
+                         [](const auto& info) { return "File" + std::to_string(info.index); });
+
+/// Curled as far as it goes: the shape alone no longer shows how its loops are knotted, the way to it does.
+TEST(YarnAudit, KnowsOfACurledFabricThatNothingPassed) {
+    const fabric::Fabric f =
+        fabric::buildFabric(machine::Timeline(pattern::makePlain(10, 10), machine::genericProfile()));
+    YarnSettling settling(f, {}, {.surroundings = Surroundings::Free});
+    while (settling.step({})) {
+    }
+    const YarnAudit audit = settling.audit();
+    EXPECT_GT(audit.foldedLoops, 0U);
+    EXPECT_TRUE(audit.holds());
+}
+
+} // namespace
+} // namespace knittsim::simulation
