@@ -1,15 +1,13 @@
 #include "app/gui/screenshot.h"
 #include "ui/views/style/appearance.h"
+#include "ui/views/style/language.h"
 #include "ui/window/key_guard.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QIcon>
-#include <QLibraryInfo>
-#include <QLocale>
 #include <QSurfaceFormat>
-#include <QTranslator>
 
 #include <cstdio>
 #include <memory>
@@ -23,6 +21,8 @@ using namespace knittsim;
 struct Options {
     QStringList files;
     QString sample;
+    QString lesson;
+    std::optional<QString> language;
     QString screenshot;
     double wait = 20;
     int step = -1;
@@ -52,6 +52,9 @@ std::optional<Options> parse(QApplication& application) {
     parser.addHelpOption();
     parser.addVersionOption();
     const QCommandLineOption sample("sample", "Opens one of the samples, for example cable-braid.", "ID");
+    const QCommandLineOption lesson("lesson", "Begins a lesson, for example 5-cable, or one of your own.",
+                                    "ID or FILE");
+    const QCommandLineOption language("language", "Language for this run: en or de.", "ID");
     const QCommandLineOption step("step", "Shows the machine after this many operations.", "N");
     const QCommandLineOption layout("layout", "Arrangement of the panels: standard, teaching or checking.",
                                     "NAME");
@@ -62,7 +65,7 @@ std::optional<Options> parse(QApplication& application) {
         "screenshot", "Saves a picture of the window when the fabric is at rest, and ends.", "FILE");
     const QCommandLineOption wait("screenshot-after", "Does so after this time at the latest (20).",
                                   "SECONDS");
-    parser.addOptions({sample, step, layout, look, reset, software, shot, wait});
+    parser.addOptions({sample, lesson, language, step, layout, look, reset, software, shot, wait});
     parser.addPositionalArgument("files", "Machine programs to open.", "[FILE...]");
     parser.process(application);
     if (parser.isSet(reset)) {
@@ -71,6 +74,10 @@ std::optional<Options> parse(QApplication& application) {
     Options options;
     options.files = parser.positionalArguments();
     options.sample = parser.value(sample);
+    options.lesson = parser.value(lesson);
+    if (parser.isSet(language)) {
+        options.language = parser.value(language);
+    }
     options.screenshot = parser.value(shot);
     bool understood = true;
     if (parser.isSet(wait)) {
@@ -81,7 +88,8 @@ std::optional<Options> parse(QApplication& application) {
     }
     options.layout = layoutNamed(parser.value(layout));
     options.appearance = appearanceNamed(parser.value(look));
-    if (!understood || (parser.isSet(layout) && !options.layout) ||
+    const bool spoken = !options.language || ui::languages().contains(*options.language);
+    if (!understood || !spoken || (parser.isSet(layout) && !options.layout) ||
         (parser.isSet(look) && !options.appearance)) {
         std::fputs("knittsim: an option has a value it cannot have; see knittsim --help\n", stderr);
         return std::nullopt;
@@ -104,18 +112,25 @@ void setUpOpenGl(int argc, char** argv) {
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
 }
 
-/// The words of dialogs that Qt brings along.
-void loadTranslations(QApplication& application) {
-    auto* ofQt = new QTranslator(&application);
-    if (ofQt->load(QLocale(), QStringLiteral("qtbase"), QStringLiteral("_"),
-                   QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
-        QCoreApplication::installTranslator(ofQt);
+using Windows = std::vector<std::unique_ptr<ui::MainWindow>>;
+
+/// Windows in the language that was chosen take the place of those there are, with their documents.
+void speak(Windows& windows, const QString& language) {
+    ui::applyLanguage(*qApp, language);
+    for (std::unique_ptr<ui::MainWindow>& window : windows) {
+        const bool shown = window->isVisible();
+        auto next = std::make_unique<ui::MainWindow>(window->releaseDocument());
+        QObject::connect(
+            next.get(), &ui::MainWindow::languageChosen, qApp,
+            [&windows](const QString& id) { speak(windows, id); }, Qt::QueuedConnection);
+        next->setVisible(shown);
+        window = std::move(next);
     }
 }
 
 /// One window for each file; one with the gallery when there is none.
-std::vector<std::unique_ptr<ui::MainWindow>> openWindows(const Options& options) {
-    std::vector<std::unique_ptr<ui::MainWindow>> windows;
+Windows openWindows(const Options& options) {
+    Windows windows;
     const auto count = std::max<qsizetype>(1, options.files.size());
     for (qsizetype i = 0; i < count; ++i) {
         windows.push_back(std::make_unique<ui::MainWindow>());
@@ -130,6 +145,8 @@ std::vector<std::unique_ptr<ui::MainWindow>> openWindows(const Options& options)
         window.show();
         if (i < options.files.size()) {
             window.openFile(options.files[i]);
+        } else if (!options.lesson.isEmpty()) {
+            window.openLesson(options.lesson);
         } else if (!options.sample.isEmpty()) {
             window.openSample(options.sample);
         }
@@ -145,15 +162,23 @@ int main(int argc, char** argv) {
     QCoreApplication::setApplicationName(QStringLiteral("KnittSim"));
     QCoreApplication::setApplicationVersion(QStringLiteral(KNITTSIM_VERSION));
     QGuiApplication::setDesktopFileName(QStringLiteral("io.github.knittsim.KnittSim"));
-    loadTranslations(application);
+    ui::applyLanguage(application, document::Session().language());
     const std::optional<Options> options = parse(application);
     if (!options) {
         return 2;
     }
+    if (options->language) {
+        ui::applyLanguage(application, *options->language);
+    }
     ui::applyAppearance(application, options->appearance.value_or(document::Session().appearance()));
     ui::KeyGuard guard;
     application.installEventFilter(&guard);
-    const auto windows = openWindows(*options);
+    Windows windows = openWindows(*options);
+    for (const auto& window : windows) {
+        QObject::connect(
+            window.get(), &ui::MainWindow::languageChosen, qApp,
+            [&windows](const QString& id) { speak(windows, id); }, Qt::QueuedConnection);
+    }
     if (!options->screenshot.isEmpty()) {
         app::takeScreenshot(*windows.front(), options->screenshot, options->wait);
     }

@@ -246,6 +246,24 @@ void Document::setStep(OperationIndex count) {
     }
     emit stepChanged();
     selectOperation(step < end ? step - 1 : -1);
+    selectMoved();
+}
+
+/// After a transfer the loop that moved is selected.
+void Document::selectMoved() {
+    if (m_selection.operation < 0) {
+        return;
+    }
+    const auto& operations = m_file->timeline->program().operations;
+    const machine::Operation& op = operations[static_cast<std::size_t>(m_selection.operation)];
+    if (op.kind == machine::OperationKind::Xfer) {
+        const machine::MachineState state = machineState();
+        if (const auto loops = state.loopsOn(op.target); !loops.empty()) {
+            Selection moved = m_selection;
+            moved.loop = loops.back();
+            select(moved);
+        }
+    }
 }
 
 void Document::movePass(int direction) {
@@ -281,11 +299,16 @@ void Document::updateShownFrame() {
     if (!whole || foreign) {
         return;
     }
+    m_hooks.clear();
     if (showsPrefix()) {
         auto frame = std::make_shared<simulation::Frame>();
         frame->generation = whole->generation;
         frame->positions = prefixPositions(*m_prefix, whole->positions);
         frame->state = whole->state;
+        const auto& operations = m_file->timeline->program().operations;
+        const auto done = static_cast<std::size_t>(m_prefix->count);
+        m_hooks = fabric::hangOnNeedles(*m_prefix->fabric, m_prefix->held,
+                                        done > 0 ? &operations[done - 1] : nullptr, frame->positions);
         m_prefixFrame = frame;
     }
     emit frameShown();

@@ -125,8 +125,13 @@ public:
 
     /// The fabric after step() operations, as soon as it is built; null when nothing is open.
     std::shared_ptr<const fabric::Fabric> shownFabric() const;
+    /// Operations that made shownFabric(); it follows step() as soon as the fabric is built.
+    OperationIndex shownStep() const { return showsPrefix() ? m_prefix->count : operationCount(); }
     /// The latest shape of shownFabric(); null while there is none.
     std::shared_ptr<const simulation::Frame> shownFrame() const;
+
+    /// The needles from which loops hang in shownFrame(); empty when the whole fabric is shown.
+    const std::vector<fabric::NeedleHook>& needleHooks() const { return m_hooks; }
 
     /// Loops left on needles hang on a stitch holder (default); else they run as well.
     bool stitchHolder() const { return m_stitchHolder; }
@@ -239,6 +244,7 @@ private:
     void tellFile(bool another);
     void applyRulesOff();
     void select(const Selection& selection);
+    void selectMoved();
     void setPoint(fabric::PointIndex point);
     fabric::PointIndex firstPointOf(LoopIndex loop) const;
     void applyYarn(int carrier, const yarn::Yarn& yarn);
@@ -296,6 +302,7 @@ private:
     PrefixBuilder m_prefixes;
     std::shared_ptr<const PrefixFabric> m_prefix; ///< null when the whole fabric is shown
     std::shared_ptr<const simulation::Frame> m_prefixFrame;
+    std::vector<fabric::NeedleHook> m_hooks; ///< of m_prefixFrame
     SimulationBridge m_bridge;
     QString m_integrator;
     YarnRun m_yarnRun;

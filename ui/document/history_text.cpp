@@ -16,7 +16,7 @@ using fabric::PointHistory;
 using machine::LoopIndex;
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("history", text);
+    return QCoreApplication::translate("knittsim::document", text);
 }
 
 class Words {

@@ -14,7 +14,7 @@ using machine::Operation;
 using machine::OperationKind;
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("operations", text);
+    return QCoreApplication::translate("knittsim::document", text);
 }
 
 QString directionText(machine::Direction direction) {
@@ -168,6 +168,45 @@ QString operationText(const machine::Program& program, machine::OperationIndex o
         return textOf(program, op);
     default:
         return stitchPattern(op.kind).arg(needleText(op.needle), carriers, directionText(op.direction));
+    }
+}
+
+QString operationSentence(const machine::Program& program, machine::OperationIndex operation) {
+    if (operation < 0 || operation >= static_cast<machine::OperationIndex>(program.operations.size())) {
+        return {};
+    }
+    const Operation& op = program.operations[static_cast<std::size_t>(operation)];
+    const QString needle = needleText(op.needle);
+    const QString carriers = carrierText(program, op.carriers);
+    switch (op.kind) {
+    case OperationKind::Knit:
+        return tr("Knit: %1 draws yarn of carrier %2 through its loop.").arg(needle, carriers);
+    case OperationKind::Tuck:
+        return tr("Tuck: %1 takes yarn of carrier %2 and keeps what it holds.").arg(needle, carriers);
+    case OperationKind::Miss:
+        return tr("Miss: carrier %2 passes %1, which stays down.").arg(needle, carriers);
+    case OperationKind::Split:
+        return tr("Split: the loop on %1 moves to %2, and %1 takes yarn of carrier %3.")
+            .arg(needle, needleText(op.target), carriers);
+    case OperationKind::Xfer:
+        return tr("Transfer: the loop on %1 moves to %2.").arg(needle, needleText(op.target));
+    case OperationKind::Drop:
+        return tr("Drop: the loop falls off %1.").arg(needle);
+    case OperationKind::Amiss:
+        return tr("%1 moves without yarn.").arg(capital(needle));
+    case OperationKind::Rack:
+        return tr("Rack: the rear bed moves to %1.").arg(rackText(op.value));
+    case OperationKind::In:
+        return tr("Carrier %1 comes in.").arg(carriers);
+    case OperationKind::InHook:
+        return tr("Carrier %1 comes in, the hook holds its yarn.").arg(carriers);
+    case OperationKind::ReleaseHook:
+        return tr("The hook lets go of the yarn of carrier %1.").arg(carriers);
+    case OperationKind::Out:
+    case OperationKind::OutHook:
+        return tr("Carrier %1 goes out, its yarn is cut.").arg(carriers);
+    default:
+        return operationText(program, operation) + u'.';
     }
 }
 

@@ -16,6 +16,10 @@ QString carrierText(const machine::Program& program, const machine::CarrierSet& 
 /// One operation in words, for example "Knit on front needle 5 with carrier 1, to the right".
 QString operationText(const machine::Program& program, machine::OperationIndex operation);
 
+/// The same as a sentence that needs no knowledge: "Transfer: the loop on front needle 5 moves to rear
+/// needle 5."
+QString operationSentence(const machine::Program& program, machine::OperationIndex operation);
+
 /// One stitch of the grid in words: "Front needle 5, course 12: knit with carrier 1, line 341".
 QString stitchText(const machine::Program& program, const machine::LoopTable& loops, const StitchGrid& grid,
                    machine::LoopIndex loop);

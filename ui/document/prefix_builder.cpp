@@ -152,6 +152,7 @@ void PrefixBuilder::startNext() {
         auto prefix = std::make_shared<PrefixFabric>();
         prefix->count = request.count;
         prefix->fabric = std::make_shared<Fabric>(fabric::buildFabric(*request.timeline, request.count));
+        prefix->held = fabric::heldStacks(request.timeline->stateAfter(request.count));
         prefix->whole = request.whole;
         prefix->wholeEntry = pairEntries(*prefix->fabric, *request.whole);
         mailbox->post([this, prefix, generation] {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/fabric/fabric_builder.h"
+#include "core/fabric/needle_hooks.h"
 
 #include <QObject>
 
@@ -19,7 +20,8 @@ struct PrefixFabric {
     std::shared_ptr<const fabric::Fabric> fabric;
     std::shared_ptr<const fabric::Fabric> whole; ///< with which it was paired
     std::vector<fabric::EntryIndex>
-        wholeEntry; ///< by entry of `fabric`; -1 where the whole has no such place
+        wholeEntry;                      ///< by entry of `fabric`; -1 where the whole has no such place
+    std::vector<fabric::HeldStack> held; ///< what hangs on the needles
 };
 
 /// Pairs the entries of a prefix with those of the whole fabric by the history of their points.

@@ -10,6 +10,7 @@ namespace {
 
 const QString kRecent = QStringLiteral("session/recentFiles");
 const QString kFolder = QStringLiteral("session/lastFolder");
+const QString kLanguage = QStringLiteral("preferences/language");
 const QString kAppearance = QStringLiteral("preferences/appearance");
 
 } // namespace
@@ -64,6 +65,14 @@ Appearance Session::appearance() const {
 
 void Session::setAppearance(Appearance appearance) {
     m_settings.setValue(kAppearance, static_cast<int>(appearance));
+}
+
+QString Session::language() const {
+    return m_settings.value(kLanguage).toString();
+}
+
+void Session::setLanguage(const QString& id) {
+    m_settings.setValue(kLanguage, id);
 }
 
 QByteArray Session::value(const QString& key) const {

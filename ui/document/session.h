@@ -30,6 +30,9 @@ public:
     Appearance appearance() const;
     void setAppearance(Appearance appearance);
 
+    QString language() const; ///< id as of ui/views/style/language.h; empty: the system's
+    void setLanguage(const QString& id);
+
     QByteArray value(const QString& key) const;
     void setValue(const QString& key, const QByteArray& bytes);
 

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QKeyEvent>
 #include <QTextBrowser>
+#include <QWidget>
 
 namespace knittsim::ui {
 
@@ -23,11 +24,27 @@ bool needsKey(QObject* widget, int key) {
                               qobject_cast<QTextBrowser*>(widget));
 }
 
+bool stepsMachine(const QKeyEvent& key) {
+    const bool plain = !(key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
+    return plain && (key.key() == Qt::Key_Space || isWalkKey(key.key()));
+}
+
+/// Text is still written where it is asked for.
+bool stepsFrom(QObject* watched) {
+    const auto* widget = qobject_cast<QWidget*>(watched);
+    return widget && widget->window()->property(KeyGuard::kStepsEverywhere).toBool() &&
+           !widget->testAttribute(Qt::WA_InputMethodEnabled);
+}
+
 } // namespace
 
 bool KeyGuard::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
+        if (stepsMachine(*key) && stepsFrom(watched)) {
+            event->ignore();
+            return true;
+        }
         if (key->modifiers() == Qt::NoModifier && needsKey(watched, key->key())) {
             event->accept();
             return true;

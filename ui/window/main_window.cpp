@@ -5,6 +5,7 @@
 #include "ui/views/diagnostics/diagnostics_panel.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/history/history_card.h"
+#include "ui/views/lesson/lesson_panel.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
 #include "ui/views/simulation_panel/activity_text.h"
 #include "ui/views/simulation_panel/ladder_text.h"
@@ -53,7 +54,10 @@ QString firstLocalFile(const QMimeData* data) {
 
 } // namespace
 
-MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+MainWindow::MainWindow(QWidget* parent) : MainWindow(std::make_unique<document::Document>(), parent) {}
+
+MainWindow::MainWindow(std::unique_ptr<document::Document> document, QWidget* parent)
+    : QMainWindow(parent), m_ownDocument(std::move(document)), m_document(*m_ownDocument) {
     setObjectName(QStringLiteral("mainWindow"));
     setWindowTitle(tr("KnittSim"));
     setWindowIcon(applicationIcon());
@@ -61,6 +65,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     setDockOptions(AllowTabbedDocks | AllowNestedDocks | GroupedDragging);
     buildCentre();
     buildDocks();
+    buildTeaching();
     buildActions();
     connectDocument();
     connectFabric();
@@ -68,8 +73,22 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     restoreChecks();
     takeRecentFiles();
     takeActions();
-    showGallery();
-    offerRecovery();
+    if (m_document.file()) {
+        takeTitle();
+        takeChart();
+        showWorkspace();
+        m_fabric->setFabric(nullptr, {});
+        takeFabric();
+        takeProblems();
+    } else {
+        showGallery();
+        offerRecovery();
+    }
+}
+
+std::unique_ptr<document::Document> MainWindow::releaseDocument() {
+    saveSession();
+    return std::move(m_ownDocument);
 }
 
 MainWindow::~MainWindow() {
@@ -77,7 +96,7 @@ MainWindow::~MainWindow() {
     hide();
     for (QWidget* view : std::initializer_list<QWidget*>{
              m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock, m_problemDock, m_bedDock, m_legendDock,
-             m_stepsDock, m_toolBar, m_status, centralWidget()}) {
+             m_stepsDock, m_lessonDock, m_toolBar, m_status, centralWidget()}) {
         delete view;
     }
 }
@@ -170,6 +189,7 @@ void MainWindow::connectFabric() {
     connect(&m_document, &Document::frameShown, this, [this] {
         m_fabric->setFollowing(m_document.step() == m_document.operationCount() && !m_document.laddersRun());
         m_fabric->setFrame(m_document.shownFrame());
+        m_fabric->setNeedles(m_document.needleHooks());
         takeYarnRun();
         m_status->setRenderer(m_fabric->hasOpenGl() ? m_fabric->rendererName() : tr("Qt, flat"));
     });
@@ -240,6 +260,7 @@ void MainWindow::takeFile() {
     m_fabric->setFabric(nullptr, {}); // an empty view fits the next fabric
     showWorkspace();
     takeActions();
+    m_lesson->takeProgram();
     startSoon();
 }
 
@@ -322,8 +343,7 @@ void MainWindow::showWorkspace() {
     if (m_arrangement.isEmpty() || !restoreState(m_arrangement)) {
         arrange(m_layout);
     }
-    m_toolBar->show();
-    m_status->show();
+    takeClass();
     m_fabric->setFocus();
 }
 
@@ -333,11 +353,12 @@ void MainWindow::showGallery() {
     }
     m_pages->setCurrentWidget(m_gallery);
     for (QDockWidget* dock : {m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock, m_problemDock,
-                              m_bedDock, m_legendDock, m_stepsDock}) {
+                              m_bedDock, m_legendDock, m_stepsDock, m_lessonDock}) {
         dock->hide();
     }
     m_toolBar->hide();
     m_status->hide();
+    applyContrast(*qApp, false);
     m_gallery->setRecentFiles(m_session.recentFiles());
 }
 

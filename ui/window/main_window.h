@@ -9,6 +9,7 @@
 #include <QMainWindow>
 
 #include <functional>
+#include <memory>
 
 class QActionGroup;
 class QMenu;
@@ -24,6 +25,7 @@ class DiagnosticsPanel;
 class FabricView;
 class Gallery;
 class HistoryCard;
+class LessonPanel;
 class MachineChoice;
 class NeedleBeds;
 class ChartArea;
@@ -34,7 +36,9 @@ struct Photograph;
 class SourceView;
 class StatusLine;
 class StepPlayer;
+class TeachingBoard;
 class YarnPanel;
+struct RecordedStep;
 
 /// Arrangements of the panels for different work.
 enum class Layout { Standard, Teaching, Checking };
@@ -45,7 +49,12 @@ class MainWindow : public QMainWindow {
 
 public:
     explicit MainWindow(QWidget* parent = nullptr);
+    /// Shows a document as it is: what another window has released.
+    explicit MainWindow(std::unique_ptr<document::Document> document, QWidget* parent = nullptr);
     ~MainWindow() override;
+
+    /// Gives the document away, to a window in another language; this one is of no use then.
+    std::unique_ptr<document::Document> releaseDocument();
 
     document::Document& document() { return m_document; }
 
@@ -54,10 +63,20 @@ public:
     void applyLayout(Layout layout);
     /// Copies a machine profile into the user's folder and works on it; says what is wrong otherwise.
     void addMachine(const QString& path);
+    /// Begins a lesson: one that came along, by id, or a file of one's own; says what is wrong with it
+    /// otherwise.
+    void openLesson(const QString& idOrPath);
     /// Writes the report of the last file tried, in the background.
     void exportReport(const QString& path);
 
+    /// Records the range that is marked, else the bookmarks: as animation (.webp), hand-out (.pdf) or a
+    /// folder of PNG files.
+    void record(const QString& path);
+
     static QString openFilter();
+
+signals:
+    void languageChosen(const QString& id); ///< see language.h; what is written must be written anew
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -158,9 +177,24 @@ private:
     QDockWidget* addDock(const QString& name, const QString& title, QWidget* content,
                          Qt::DockWidgetArea area);
     void arrange(Layout layout);
+    void takeClass();
     void takeTitleBars();
     void restoreSession();
     void saveSession();
+
+    // main_window_teaching.cpp
+    void buildTeaching();
+    void buildLessonMenu();
+    void buildLanguageMenu(QMenu* view);
+    void listLessons();
+    void chooseLesson();
+    void takeLesson();
+    void showGlossary();
+
+    // main_window_recording.cpp
+    void buildRecordingMenu(QMenu* menu);
+    std::vector<RecordedStep> stepsToRecord() const;
+    void chooseRecording(const QString& title, const QString& filter, const QString& extension);
 
     // main_window_report.cpp
     void chooseMachineFile();
@@ -168,7 +202,8 @@ private:
     void restoreChecks();
     void saveChecks();
 
-    document::Document m_document;
+    std::unique_ptr<document::Document> m_ownDocument;
+    document::Document& m_document;
     document::Session m_session;
     document::FileWatch m_watch;
     bool m_changedOutside = false; ///< since the file was opened or saved
@@ -189,6 +224,9 @@ private:
     QStackedWidget* m_patterns = nullptr; ///< grid or chart
     SourceView* m_source = nullptr;
     NeedleBeds* m_beds = nullptr;
+    TeachingBoard* m_board = nullptr;
+    LessonPanel* m_lesson = nullptr;
+    QMenu* m_lessonMenu = nullptr;
     YarnPanel* m_yarns = nullptr;
     SimulationPanel* m_simulation = nullptr;
     DiagnosticsPanel* m_problems = nullptr;
@@ -201,6 +239,7 @@ private:
     QDockWidget* m_bedDock = nullptr;
     QDockWidget* m_legendDock = nullptr;
     QDockWidget* m_stepsDock = nullptr; ///< of the undo stack
+    QDockWidget* m_lessonDock = nullptr;
     QToolBar* m_toolBar = nullptr;
     QToolButton* m_problemButton = nullptr;
     MachineChoice* m_machine = nullptr;

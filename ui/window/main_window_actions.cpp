@@ -8,6 +8,7 @@
 #include "ui/views/diagnostics/diagnostics_panel.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/history/history_card.h"
+#include "ui/views/lesson/lesson_panel.h"
 #include "ui/views/needle_beds/needle_beds.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
 #include "ui/views/simulation_panel/ladder_text.h"
@@ -74,6 +75,7 @@ void MainWindow::buildActions() {
     buildChartMenu();
     buildMachineMenu();
     buildSimulateMenu();
+    buildLessonMenu();
     buildWindowMenu();
     buildHelpMenu();
     buildToolBar();
@@ -97,8 +99,8 @@ void MainWindow::buildFileMenu() {
     }
     addAction(menu, "actionGallery", tr("Sample &gallery"), QKeySequence(tr("Ctrl+Shift+O")), {},
               [this] { showGallery(); });
-    addAction(menu, "actionImportPicture", tr("&Import a picture\u2026"), QKeySequence(tr("Ctrl+Alt+I")),
-              {}, [this] { choosePicture(); });
+    addAction(menu, "actionImportPicture", tr("&Import a picture\u2026"), QKeySequence(tr("Ctrl+Alt+I")), {},
+              [this] { choosePicture(); });
     menu->addSeparator();
     addAction(menu, "actionSave", tr("&Save"), QKeySequence::Save, "save", [this] { saveChart(); });
     addAction(menu, "actionSaveAs", tr("Save &as\u2026"), QKeySequence(tr("Ctrl+Shift+S")), {},
@@ -233,6 +235,7 @@ void MainWindow::buildViewMenu() {
     addAction(menu, "actionFollowNeedle", tr("Follo&w the working needle"), Qt::SHIFT | Qt::Key_N, {},
               [this] { m_beds->follow(); });
     menu->addSeparator();
+    buildLanguageMenu(menu);
     QMenu* appearance = menu->addMenu(tr("&Appearance"));
     auto* looks = new QActionGroup(this);
     const std::initializer_list<std::tuple<const char*, QString, Appearance>> choices{
@@ -274,6 +277,11 @@ void MainWindow::buildMachineMenu() {
               [this] { m_document.setStep(0); });
     addAction(menu, "actionLast", tr("To the e&nd of the program"), Qt::Key_End, "last",
               [this] { m_document.setStep(m_document.operationCount()); });
+    addAction(menu, "actionGoToLine", tr("&Go to line\u2026"), QKeySequence(tr("Ctrl+G")), {},
+              [this] { m_player->askForLine(); });
+    for (QMenu* marks : m_player->menus()) {
+        menu->addMenu(marks);
+    }
     menu->addSeparator();
     addAction(menu, "actionAddMachine", tr("&Add machine\u2026"), {}, {}, [this] { chooseMachineFile(); });
 }
@@ -349,15 +357,17 @@ void MainWindow::buildWindowMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&Window"));
     menu->setObjectName(QStringLiteral("windowMenu"));
     for (QDockWidget* dock : {m_gridDock, m_sourceDock, m_legendDock, m_yarnDock, m_stepsDock,
-                              m_simulationDock, m_problemDock, m_bedDock}) {
+                              m_simulationDock, m_problemDock, m_bedDock, m_lessonDock}) {
         menu->addAction(dock->toggleViewAction());
     }
     menu->addSeparator();
-    addAction(menu, "actionLayoutStandard", tr("&Standard layout"), {}, {},
+    auto* layouts = new QActionGroup(this);
+    addChoice(menu, layouts, "actionLayoutStandard", tr("&Designer"), Qt::Key_F3, {},
               [this] { applyLayout(Layout::Standard); });
-    addAction(menu, "actionLayoutTeaching", tr("&Teaching layout"), Qt::CTRL | Qt::SHIFT | Qt::Key_T, {},
-              [this] { applyLayout(Layout::Teaching); });
-    addAction(menu, "actionLayoutChecking", tr("&Checking layout"), {}, {},
+    QAction* teaching = addChoice(menu, layouts, "actionLayoutTeaching", tr("&Teacher"), Qt::Key_F4, {},
+                                  [this] { applyLayout(Layout::Teaching); });
+    teaching->setShortcuts({Qt::Key_F4, Qt::CTRL | Qt::SHIFT | Qt::Key_T});
+    addChoice(menu, layouts, "actionLayoutChecking", tr("&Quality assurance"), Qt::Key_F7, {},
               [this] { applyLayout(Layout::Checking); });
 }
 
@@ -449,6 +459,9 @@ void MainWindow::takeActions() {
             action->setEnabled(open);
         }
     }
+    for (const char* name : {"actionStopNext", "actionStopBack"}) {
+        findChild<QAction*>(QString::fromLatin1(name))->setEnabled(m_lesson->running());
+    }
     for (const char* name : {"actionExport", "actionExportMachine", "actionFront", "actionBack", "actionLeft",
                              "actionRight", "actionTop", "actionBottom", "actionFit", "actionFitChart",
                              "actionCentre", "actionNearer", "actionFarther"}) {
@@ -490,6 +503,10 @@ void MainWindow::takeActions() {
     for (const auto& [name, on] : overlays) {
         findChild<QAction*>(QString::fromLatin1(name))->setChecked(on);
     }
+    findChild<QAction*>(m_layout == Layout::Teaching   ? QStringLiteral("actionLayoutTeaching")
+                        : m_layout == Layout::Checking ? QStringLiteral("actionLayoutChecking")
+                                                       : QStringLiteral("actionLayoutStandard"))
+        ->setChecked(true);
     findChild<QAction*>(QStringLiteral("actionHistory"))->setChecked(m_history->isSwitchedOn());
     findChild<QAction*>(QStringLiteral("actionOrthographic"))->setChecked(m_fabric->isOrthographic());
     const Diagnostics& found = m_document.problems();

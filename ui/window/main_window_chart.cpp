@@ -57,8 +57,8 @@ QString MainWindow::askWhere(const QString& title, const QString& start, const Q
 void MainWindow::buildChartMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&Pattern"));
     menu->setObjectName(QStringLiteral("patternMenu"));
-    QAction* lift = addAction(menu, "actionEditAsChart", tr("E&dit as chart"),
-                              Qt::CTRL | Qt::ALT | Qt::Key_C, {}, [this] { m_document.editAsChart(); });
+    QAction* lift = addAction(menu, "actionEditAsChart", tr("E&dit as chart"), Qt::CTRL | Qt::ALT | Qt::Key_C,
+                              {}, [this] { m_document.editAsChart(); });
     lift->setToolTip(tr("Machine data becomes a chart that can be changed; what a chart cannot say is kept"));
     lift->setEnabled(false);
     menu->addSeparator();

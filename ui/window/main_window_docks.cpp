@@ -3,18 +3,26 @@
 #include "ui/views/diagnostics/diagnostics_panel.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/history/history_card.h"
+#include "ui/views/lesson/lesson_panel.h"
+#include "ui/views/lesson/teaching_board.h"
 #include "ui/views/needle_beds/needle_beds.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
 #include "ui/views/simulation_panel/simulation_panel.h"
 #include "ui/views/source/source_view.h"
 #include "ui/views/step_player/step_player.h"
+#include "ui/views/style/appearance.h"
 #include "ui/views/style/icons.h"
 #include "ui/views/yarn_library/yarn_panel.h"
+#include "ui/window/key_guard.h"
 #include "ui/window/main_window.h"
+#include "ui/window/status_line.h"
 
+#include <QApplication>
 #include <QDockWidget>
 #include <QScreen>
 #include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
 #include <QUndoView>
 
 #include <algorithm>
@@ -25,12 +33,18 @@ namespace {
 
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kArrangement = QStringLiteral("window/arrangement3"); // the number rises when docks change
+const QString kLayout = QStringLiteral("window/layout");
 const QString kStyle = QStringLiteral("window/style");
 const QString kOrthographic = QStringLiteral("window/orthographic");
 const QString kHair = QStringLiteral("window/hair");
 const QString kLegend = QStringLiteral("window/legend");
 const QString kLook = QStringLiteral("window/chartLook");
 const QString kHistory = QStringLiteral("window/history");
+
+/// Where the arrangement of each layout is kept.
+QString arrangementKey(Layout layout) {
+    return kArrangement + QString::number(static_cast<int>(layout));
+}
 
 constexpr double kTeachingSpeed = 0.5; ///< operations a second, so that their phases are seen
 constexpr int kLeftWidth = 320;
@@ -116,9 +130,10 @@ void MainWindow::takeTitleBars() {
 
 void MainWindow::arrange(Layout layout) {
     const std::initializer_list<std::pair<QDockWidget*, Qt::DockWidgetArea>> homes{
-        {m_gridDock, Qt::LeftDockWidgetArea},  {m_sourceDock, Qt::LeftDockWidgetArea},
-        {m_yarnDock, Qt::RightDockWidgetArea}, {m_simulationDock, Qt::RightDockWidgetArea},
-        {m_bedDock, Qt::BottomDockWidgetArea}, {m_problemDock, Qt::BottomDockWidgetArea}};
+        {m_gridDock, Qt::LeftDockWidgetArea},   {m_sourceDock, Qt::LeftDockWidgetArea},
+        {m_yarnDock, Qt::RightDockWidgetArea},  {m_simulationDock, Qt::RightDockWidgetArea},
+        {m_bedDock, Qt::BottomDockWidgetArea},  {m_problemDock, Qt::BottomDockWidgetArea},
+        {m_lessonDock, Qt::RightDockWidgetArea}};
     for (QDockWidget* dock : {m_legendDock, m_stepsDock, m_simulationDock}) {
         dock->hide(); // above each other they would make a low window grow
         dock->setFloating(false);
@@ -144,7 +159,9 @@ void MainWindow::arrange(Layout layout) {
     m_simulationDock->setVisible(layout == Layout::Standard);
     m_legendDock->setVisible(layout == Layout::Standard);
     m_stepsDock->setVisible(layout == Layout::Standard);
-    m_problemDock->setVisible(layout == Layout::Checking || hasWarnings(m_document.problems()));
+    m_problemDock->setVisible(layout == Layout::Checking ||
+                              (!teaching && hasWarnings(m_document.problems())));
+    m_lessonDock->setVisible(m_lesson->running());
     if (!teaching) {
         (layout == Layout::Checking ? m_sourceDock : m_gridDock)->raise();
     }
@@ -157,13 +174,35 @@ void MainWindow::arrange(Layout layout) {
         resizeDocks({m_bedDock}, {height() * 2 / 5}, Qt::Vertical);
         m_player->setSpeed(kTeachingSpeed);
     }
-    m_player->setLargeWords(teaching);
+    takeClass();
+}
+
+/// What a class needs beyond the places of the panels.
+void MainWindow::takeClass() {
+    const bool teaching = m_layout == Layout::Teaching;
+    m_board->setVisible(teaching);
+    m_player->setWords(!teaching);
+    m_toolBar->setVisible(!teaching);
+    m_status->setVisible(!teaching);
+    statusBar()->setVisible(!teaching);
+    setProperty(KeyGuard::kStepsEverywhere, teaching);
+    applyContrast(*qApp, teaching);
 }
 
 void MainWindow::applyLayout(Layout layout) {
+    const bool again = layout == m_layout;
+    const bool shown = m_pages->currentWidget() == m_workspace;
+    if (shown && !again) {
+        m_session.setValue(arrangementKey(m_layout), saveState());
+    }
     m_layout = layout;
-    if (m_pages->currentWidget() == m_workspace) {
-        arrange(layout);
+    if (shown) {
+        // The first press brings the layout as it was left, the next one as it comes.
+        if (again || !restoreState(m_session.value(arrangementKey(layout)))) {
+            arrange(layout);
+        }
+        takeClass();
+        takeActions();
     } else {
         m_arrangement.clear(); // the docks are hidden now and come with the next file
     }
@@ -175,6 +214,8 @@ void MainWindow::restoreSession() {
         restoreGeometry(geometry);
     }
     m_arrangement = m_session.value(kArrangement);
+    const int layout = m_session.value(kLayout).toInt();
+    m_layout = layout == 1 ? Layout::Teaching : layout == 2 ? Layout::Checking : Layout::Standard;
     const int style = m_session.value(kStyle).toInt();
     m_fabric->setStyle(style == 1   ? render::DrawStyle::Strokes
                        : style == 2 ? render::DrawStyle::Mesh
@@ -189,6 +230,7 @@ void MainWindow::restoreSession() {
 void MainWindow::saveSession() {
     m_session.setValue(kGeometry, saveGeometry());
     m_session.setValue(kArrangement, m_pages->currentWidget() == m_workspace ? saveState() : m_arrangement);
+    m_session.setValue(kLayout, QByteArray::number(static_cast<int>(m_layout)));
     const render::DrawStyle style = m_fabric->style();
     m_session.setValue(kStyle, style == render::DrawStyle::Strokes ? "1"
                                : style == render::DrawStyle::Mesh  ? "2"

@@ -38,7 +38,7 @@ QImage readPhotograph(const QString& path, QString& reason) {
 void MainWindow::buildPhotographMenu(QMenu* view) {
     QMenu* menu = view->addMenu(tr("Photo&graph"));
     menu->setObjectName(QStringLiteral("photographMenu"));
-    addAction(menu, "actionPhotographOpen", tr("&Open a photograph\u2026"), Qt::CTRL | Qt::SHIFT | Qt::Key_P,
+    addAction(menu, "actionPhotographOpen", tr("&Open a photograph\u2026"), Qt::CTRL | Qt::ALT | Qt::Key_P,
               {}, [this] { choosePhotograph(); });
     QAction* shown =
         addChoice(menu, nullptr, "actionPhotograph", tr("&Show the photograph"), Qt::Key_W, {}, [] {});

@@ -116,6 +116,9 @@ void MainWindow::addMachine(const QString& path) {
 }
 
 void MainWindow::restoreChecks() {
+    if (m_document.file()) {
+        return; // it came with its own
+    }
     std::vector<machine::Waiver> rules;
     for (const QByteArray& line : m_session.value(kRulesOff).split('\n')) {
         if (auto waiver = machine::parseWaiver(line.toStdString())) {

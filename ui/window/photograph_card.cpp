@@ -50,7 +50,7 @@ PhotographCard::PhotographCard(FabricView& fabric)
     auto* align = button(QStringLiteral("photographAlign"), tr("&Align\u2026"),
                          tr("Two points of the photograph on two of the fabric (Shift+W)"));
     auto* other = button(QStringLiteral("photographOpen"), tr("&Other\u2026"),
-                         tr("Opens another photograph (Ctrl+Shift+P)"));
+                         tr("Opens another photograph (Ctrl+Alt+P)"));
     auto* remove = button(QStringLiteral("photographRemove"), tr("&Remove"), tr("Forgets the photograph"));
     auto* hide = new QToolButton(this);
     hide->setObjectName(QStringLiteral("photographHide"));

@@ -15,7 +15,9 @@
 #include <QTest>
 #include <QTimer>
 
+#include <algorithm>
 #include <ctime>
+#include <vector>
 
 namespace knittsim::ui {
 
@@ -198,6 +200,39 @@ private slots:
             grid->zoomIn();
         }
         delete grid;
+    }
+
+    /// The slider is drawn over a long program: 33 ms a step are 30 pictures a second.
+    void scrubbing100000Operations() {
+        for (const Layout layout : {Layout::Standard, Layout::Teaching}) {
+            MainWindow window;
+            window.resize(1280, 800);
+            window.applyLayout(layout);
+            window.show();
+            QVERIFY(QTest::qWaitForWindowExposed(&window));
+            window.document().openText(
+                "250 x 400", QString::fromStdString(formats::knitout::write(pattern::makePlain(250, 400))));
+            QTRY_VERIFY_WITH_TIMEOUT(window.document().file(), 60000);
+            const int count = window.document().operationCount();
+            QVERIFY(count >= 100000);
+            window.document().stop();
+            std::vector<double> costs;
+            QElapsedTimer wall;
+            wall.start();
+            for (int i = 1; i <= 100; ++i) {
+                const double before = threadMs();
+                window.document().setStep(static_cast<int>(std::int64_t{i} * 7919 % 101 * count / 101));
+                QCoreApplication::processEvents();
+                costs.push_back(threadMs() - before);
+            }
+            const double wallMs = static_cast<double>(wall.elapsed()) / 100;
+            std::ranges::sort(costs);
+            qInfo("scrubbing %d operations, layout %d: %.1f ms of processor time in the middle, %.1f ms at "
+                  "most, %.1f ms of wall time a step",
+                  count, static_cast<int>(layout), costs[50], costs.back(), wallMs);
+            QCOMPARE(window.document().step(),
+                     static_cast<int>(std::int64_t{100} * 7919 % 101 * count / 101));
+        }
     }
 
 private:

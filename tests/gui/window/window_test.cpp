@@ -132,8 +132,16 @@ private slots:
     void stepsWithSliderAndButtons() {
         openSample("plain");
         auto* slider = child<QSlider>("stepSlider");
-        QCOMPARE(slider->maximum(), document().operationCount());
-        slider->setValue(100);
+        auto* courses = child<QSlider>("courseSlider");
+        courses->setValue(2);
+        QCOMPARE(document().step(), document().file()->courseEnds.at(1));
+        QCOMPARE(slider->maximum(), document().step());
+        QCOMPARE(slider->minimum(), document().file()->courseEnds.at(0));
+        document().setStep(100);
+        QVERIFY(slider->minimum() < 100 && slider->maximum() >= 100);
+        slider->setValue(slider->minimum());
+        QCOMPARE(document().step(), slider->value());
+        document().setStep(100);
         QCOMPARE(document().step(), 100);
         QTRY_COMPARE(static_cast<int>(document().shownFabric()->loops.size()),
                      document().machineState().loopCount);

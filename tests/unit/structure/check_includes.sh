@@ -3,7 +3,7 @@
 # OpenGL, ui/render knows no Qt, and the command line knows no Qt.   check_includes.sh SOURCE_DIR
 set -eu
 cd "$1"
-order="base yarn machine formats pattern fabric physics geometry simulation export"
+order="base yarn machine lesson formats pattern fabric physics geometry simulation export"
 bad=0
 
 complain() {

@@ -180,7 +180,7 @@ void ChartEditor::buildEdits() {
             [canvas] { canvas->removeWales(); });
     addEdit("actionChartCourseYarn", tr("&Yarn of the course\u2026"), Qt::CTRL | Qt::Key_U,
             [canvas] { canvas->chooseCourseYarn(); });
-    addEdit("actionChartStitchSize", tr("Stitch si&ze of the course\u2026"), Qt::CTRL | Qt::Key_G,
+    addEdit("actionChartStitchSize", tr("Stitch si&ze of the course\u2026"), Qt::CTRL | Qt::ALT | Qt::Key_G,
             [canvas] { canvas->editStitchSize(); });
     addEdit("actionChartRacking", tr("Rackin&g of the course\u2026"), Qt::CTRL | Qt::SHIFT | Qt::Key_G,
             [canvas] { canvas->editRacking(); });

@@ -5,9 +5,11 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <QPainter>
+#include <QPainterPath>
 #include <QStringList>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace knittsim::ui {
@@ -118,9 +120,9 @@ QString lengthText(double millimetres) {
 OverlayInk overlayInk(bool dark) {
     const render::MeshColours colours = render::meshColours(dark);
     return dark ? OverlayInk{QColor(235, 237, 240), QColor(20, 22, 25, 215), toQt(colours.foot),
-                             toQt(colours.head)}
+                             toQt(colours.head),    QColor(176, 184, 194),   QColor(112, 120, 130)}
                 : OverlayInk{QColor(32, 36, 42), QColor(255, 255, 255, 215), toQt(colours.foot),
-                             toQt(colours.head)};
+                             toQt(colours.head), QColor(96, 104, 114),       QColor(150, 158, 168)};
 }
 
 void paintDimensions(QPainter& painter, QSize size, const CanvasContent& content,
@@ -216,6 +218,46 @@ void paintProblems(QPainter& painter, const CanvasContent& content, const Annota
                                    : QStringLiteral("i"));
     }
     painter.restore();
+}
+
+void paintNeedles(QPainter& painter, const CanvasContent& content, const Annotations& annotations,
+                  const OverlayInk& ink) {
+    constexpr double kLabelPixels = 34;
+    std::vector<const fabric::NeedleHook*> order;
+    for (const fabric::NeedleHook& hook : annotations.needles) {
+        order.push_back(&hook);
+    }
+    const Vec3f towards = content.camera.towardsViewer();
+    std::ranges::stable_sort(order, {},
+                             [&](const fabric::NeedleHook* hook) { return hook->place.dot(towards); });
+    std::array<double, 2> labelled{-1e9, -1e9}; // by bed
+    for (const fabric::NeedleHook* hook : order) {
+        const QPointF end = onScreen(content, hook->place + hook->shaft);
+        const QPointF place = onScreen(content, hook->place);
+        const double size = 0.055 * std::hypot((end - place).x(), (end - place).y());
+        const bool front = machine::isFront(hook->needle.bed);
+        const double width = std::clamp(size, 1.2, 5.0);
+        // The hook bends to the viewer's right, below the yarn it holds.
+        QPainterPath path(end);
+        path.lineTo(place + QPointF(-1.6 * size, 0));
+        path.cubicTo(place + QPointF(-1.6 * size, 3.2 * size), place + QPointF(1.6 * size, 3.2 * size),
+                     place + QPointF(1.6 * size, -0.6 * size));
+        painter.setBrush(Qt::NoBrush);
+        const QColor steel = hook->works ? ink.wale : front ? ink.needle : ink.rearNeedle;
+        for (const QPen& pen : {QPen(ink.ground, width + 2.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin),
+                                QPen(steel, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin)}) {
+            painter.setPen(pen);
+            painter.drawPath(path);
+        }
+        double& last = labelled[front ? 0 : 1];
+        if (hook->works || std::abs(end.x() - last) > kLabelPixels) {
+            last = end.x();
+            // Rear needles are named in a line above the front ones; the upper edge of the picture cuts none.
+            const double y = std::max(end.y() - (front ? 8 : 25), front ? 26.0 : 9.0);
+            paintLabel(painter, {end.x(), y}, QString::fromStdString(machine::toString(hook->needle)),
+                       hook->works ? ink.wale : ink.ink, ink.ground);
+        }
+    }
 }
 
 void paintTape(QPainter& painter, const CanvasContent& content, const Annotations& annotations,

@@ -16,6 +16,8 @@ struct OverlayInk {
     QColor ground;
     QColor course; ///< of lines along courses
     QColor wale;
+    QColor needle; ///< of the front bed
+    QColor rearNeedle;
 };
 OverlayInk overlayInk(bool dark);
 
@@ -30,6 +32,10 @@ void paintGuides(QPainter& painter, const CanvasContent& content, const Annotati
 
 /// A sign at each loop with a problem: colour and letter tell the severity.
 void paintProblems(QPainter& painter, const CanvasContent& content, const Annotations& annotations);
+
+/// The needles from which loops hang, with bed and number.
+void paintNeedles(QPainter& painter, const CanvasContent& content, const Annotations& annotations,
+                  const OverlayInk& ink);
 
 /// The measuring tape with its length.
 void paintTape(QPainter& painter, const CanvasContent& content, const Annotations& annotations,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
+#include "core/fabric/needle_hooks.h"
 #include "core/geometry/measure.h"
 #include "core/geometry/stitch_lattice.h"
 #include "ui/views/fabric_view/photograph.h"
@@ -32,8 +33,9 @@ struct Annotations {
         Severity severity;
     };
     std::vector<Mark> problems;
-    std::vector<Vec3f> tape;      ///< ends that are set, mm; none, one or two
-    std::optional<Vec3f> tapeEnd; ///< where the second one would be set now
+    std::vector<fabric::NeedleHook> needles; ///< from which loops hang
+    std::vector<Vec3f> tape;                 ///< ends that are set, mm; none, one or two
+    std::optional<Vec3f> tapeEnd;            ///< where the second one would be set now
     Photograph photograph;
     int alignClicks = -1; ///< done while it is aligned by two points; -1: it is not
     QString alone;        ///< what is shown alone, in words; empty: all

@@ -286,6 +286,10 @@ QString FabricView::rendererName() const {
 double FabricView::lastPaintMs() const {
     return m->content.paintMs;
 }
+bool FabricView::isUpToDate() const {
+    return m->shownFabric == m->fabric;
+}
+
 QImage FabricView::picture() {
     return m->canvas->picture();
 }

@@ -98,6 +98,8 @@ public:
     bool hasProblemMarks() const;
     int problemMarkCount() const;                        ///< that are placed
     void setProblems(std::vector<LoopProblem> problems); ///< of the present fabric; setFabric() forgets them
+    /// Needles from which loops of the present frame hang.
+    void setNeedles(std::vector<fabric::NeedleHook> needles);
     void setTaping(bool on); ///< clicks set the two ends of a measuring tape instead of selecting
     bool isTaping() const;
 
@@ -146,6 +148,8 @@ public:
     bool hasOpenGl() const;       ///< false after glFailed
     QString rendererName() const; ///< GL_RENDERER, empty before the first paint or without OpenGL
     double lastPaintMs() const;   ///< time of the last drawn frame on this thread
+
+    bool isUpToDate() const; ///< the picture is of the fabric that was set last
 
     /// The picture as shown, without badge and scale bar; also without OpenGL and while the view is hidden.
     QImage picture();

@@ -133,6 +133,13 @@ int FabricView::problemMarkCount() const {
     return static_cast<int>(m->annotations.problems.size());
 }
 
+void FabricView::setNeedles(std::vector<fabric::NeedleHook> needles) {
+    if (!needles.empty() || !m->annotations.needles.empty()) {
+        m->annotations.needles = std::move(needles);
+        m->overlay->update();
+    }
+}
+
 void FabricView::setProblems(std::vector<LoopProblem> problems) {
     m->problems = std::move(problems);
     m->annotate();

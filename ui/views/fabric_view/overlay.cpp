@@ -97,6 +97,7 @@ void Overlay::paintEvent(QPaintEvent*) {
         if (m_annotations.dimensions) {
             paintDimensions(painter, size(), m_content, m_annotations, colours);
         }
+        paintNeedles(painter, m_content, m_annotations, colours);
         if (m_annotations.marks) {
             paintProblems(painter, m_content, m_annotations);
         }

@@ -12,7 +12,7 @@ using machine::OperationKind;
 using namespace machine::phase;
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("phases", text);
+    return QCoreApplication::translate("knittsim::ui", text);
 }
 
 /// On an empty needle the yarn is just hung up.

@@ -12,7 +12,7 @@ using document::Activity;
 using simulation::StopReason;
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("Activity", text);
+    return QCoreApplication::translate("knittsim::ui", text);
 }
 
 QString reasonText(StopReason reason) {

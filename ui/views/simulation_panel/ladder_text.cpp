@@ -9,7 +9,7 @@ namespace knittsim::ui {
 namespace {
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("Ladder", text);
+    return QCoreApplication::translate("knittsim::ui", text);
 }
 
 QString count(std::size_t loops) {

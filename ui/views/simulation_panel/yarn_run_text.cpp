@@ -10,7 +10,7 @@ namespace knittsim::ui {
 namespace {
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("YarnRun", text);
+    return QCoreApplication::translate("knittsim::ui", text);
 }
 
 QString millimetres(double value, int decimals) {

@@ -7,7 +7,7 @@ namespace knittsim::ui {
 
 namespace {
 
-constexpr std::array kSpeeds{0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 5000.0};
+constexpr std::array kSpeeds{0.25, 0.5, 1.0, 2.5, 5.0, 10.0, 25.0, 50.0, 100.0, 250.0, 500.0, 5000.0};
 
 } // namespace
 

@@ -7,6 +7,9 @@ namespace knittsim::ui {
 /// Operations to advance for passed time at a speed; fractions carry over, so that slow speeds are exact.
 class Playback {
 public:
+    /// Operations a second at speed 1.
+    static constexpr double kUnit = 5;
+
     /// Operations a second that the user may choose.
     static std::span<const double> speeds();
 
@@ -23,7 +26,7 @@ public:
     void makeDue() { m_due = 1; }
 
 private:
-    double m_speed = 20;
+    double m_speed = 5 * kUnit;
     double m_due = 0;
 };
 

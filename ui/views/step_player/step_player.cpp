@@ -1,6 +1,7 @@
 #include "ui/views/step_player/step_player.h"
 
 #include "ui/document/operation_text.h"
+#include "ui/views/step_player/marked_slider.h"
 #include "ui/views/style/appearance.h"
 #include "ui/views/style/icons.h"
 #include "ui/views/style/numbers.h"
@@ -10,10 +11,12 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QMenu>
 #include <QPainter>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QToolButton>
+
+#include <algorithm>
 
 namespace knittsim::ui {
 
@@ -47,6 +50,13 @@ StepPlayer::StepPlayer(document::Document& document, QWidget* parent)
     m_timer.setInterval(kTickMs);
     connect(&m_timer, &QTimer::timeout, this, &StepPlayer::tick);
     connect(&m_document, &document::Document::fileChanged, this, &StepPlayer::takeFile);
+    connect(&m_document, &document::Document::opened, &m_marks, &document::StepMarks::clear);
+    connect(&m_document, &document::Document::problemsChanged, this, [this] {
+        if (const auto file = m_document.file()) {
+            m_finder = {file->timeline, m_document.problems()};
+        }
+    });
+    connect(&m_marks, &document::StepMarks::changed, this, &StepPlayer::showMarks);
     connect(&m_document, &document::Document::stepChanged, this, &StepPlayer::takeStep);
     takeFile();
 }
@@ -78,16 +88,22 @@ void StepPlayer::build() {
     auto* last = addButton("stepLast", "last", tr("To the end of the program"), tr("End"));
     m_play->setAutoRepeat(false);
 
-    m_slider = new QSlider(Qt::Horizontal, this);
+    m_courseSlider = new MarkedSlider(this);
+    m_courseSlider->setObjectName(QStringLiteral("courseSlider"));
+    m_courseSlider->setAccessibleName(tr("Course"));
+    m_courseSlider->setToolTip(tr("Course that is shown (\u2191 and \u2193)"));
+    m_courseSlider->setPageStep(5);
+    m_slider = new MarkedSlider(this);
     m_slider->setObjectName(QStringLiteral("stepSlider"));
-    m_slider->setAccessibleName(tr("Operation"));
-    m_slider->setToolTip(tr("Operation that is shown (\u2190 and \u2192, Shift for a carriage pass)"));
+    m_slider->setAccessibleName(tr("Operation in the course"));
+    m_slider->setToolTip(
+        tr("Operation that is shown, inside the course (\u2190 and \u2192, Shift for a carriage pass)"));
     m_speed = new QComboBox(this);
     m_speed->setObjectName(QStringLiteral("stepSpeed"));
     m_speed->setAccessibleName(tr("Speed"));
-    m_speed->setToolTip(tr("Operations a second ([ slower, ] faster)"));
+    m_speed->setToolTip(tr("1\u00d7 is five operations a second ([ slower, ] faster)"));
     for (const double speed : Playback::speeds()) {
-        m_speed->addItem(tr("%1/s").arg(QLocale().toString(speed, 'g', 6)), speed);
+        m_speed->addItem(tr("%1\u00d7").arg(QLocale().toString(speed / Playback::kUnit, 'g', 6)), speed);
     }
     m_words = new ElidedLabel(this);
     m_words->setObjectName(QStringLiteral("stepWords"));
@@ -100,9 +116,19 @@ void StepPlayer::build() {
     for (QToolButton* button : {first, courseBack, back, m_play, forward, courseForward, last}) {
         buttons->addWidget(button);
     }
+    buildLoopMenu();
+    buildBookmarkMenu();
+    buildStopMenu();
+    m_loopButton = addMenuButton("loopButton", "loop", tr("Play a part again and again"), m_loopMenu);
+    QToolButton* bookmarks = addMenuButton("bookmarkButton", "bookmark", tr("Bookmarks"), m_bookmarkMenu);
+    m_stopButton = addMenuButton("stopButton", "stop-at", tr("Where playing stops"), m_stopMenu);
     buttons->addSpacing(8);
-    buttons->addWidget(m_slider, 1);
+    buttons->addWidget(m_courseSlider, 3);
+    buttons->addWidget(m_slider, 2);
     buttons->addSpacing(8);
+    for (QToolButton* button : {m_loopButton, bookmarks, m_stopButton}) {
+        buttons->addWidget(button);
+    }
     buttons->addWidget(m_speed);
     auto* texts = new QHBoxLayout;
     texts->addWidget(m_words, 1);
@@ -121,6 +147,8 @@ void StepPlayer::build() {
     connect(courseForward, &QToolButton::clicked, this, [this] { m_document.moveCourse(+1); });
     connect(last, &QToolButton::clicked, this, [this] { m_document.setStep(m_document.operationCount()); });
     connect(m_slider, &QSlider::valueChanged, this, [this](int value) { m_document.setStep(value); });
+    connect(m_courseSlider, &QSlider::valueChanged, this,
+            [this](int part) { m_document.setStep(m_courses.end(part)); });
     connect(m_speed, &QComboBox::currentIndexChanged, this,
             [this] { setSpeed(m_speed->currentData().toDouble()); });
     showSpeed();
@@ -142,25 +170,31 @@ void StepPlayer::changeSpeed(int direction) {
     setSpeed(next.speed());
 }
 
-void StepPlayer::setLargeWords(bool on) {
-    QFont face = font();
-    face.setPointSizeF(face.pointSizeF() * (on ? 1.8 : 1.0));
-    face.setBold(on);
-    m_words->setFont(face);
+void StepPlayer::setWords(bool on) {
+    m_words->setVisible(on);
 }
 
 void StepPlayer::takeFile() {
     setPlaying(false);
-    setEnabled(m_document.file() != nullptr);
-    const QSignalBlocker quiet(m_slider);
-    m_slider->setRange(0, m_document.operationCount());
-    m_slider->setPageStep(std::max(1, m_document.operationCount() / 50));
+    const auto file = m_document.file();
+    setEnabled(file != nullptr);
+    m_courses =
+        file ? document::CourseScale(file->courseEnds, m_document.operationCount()) : document::CourseScale();
+    m_finder = file ? document::StopFinder(file->timeline, m_document.problems()) : document::StopFinder();
+    const QSignalBlocker quiet(m_courseSlider);
+    m_courseSlider->setRange(0, m_courses.partCount());
+    listCarriers();
     takeStep();
+    showMarks();
 }
 
 void StepPlayer::takeStep() {
     const QSignalBlocker quiet(m_slider);
+    const QSignalBlocker quietCourse(m_courseSlider);
     const int step = m_document.step();
+    m_courseSlider->setValue(m_courses.partOf(step));
+    m_slider->setRange(m_courses.firstNear(step), m_courses.lastNear(step));
+    m_slider->setPageStep(std::max(1, (m_slider->maximum() - m_slider->minimum()) / 10));
     m_slider->setValue(step);
     if (!isPlaying()) {
         m_playback.makeDue(); // else a pause in the middle of an operation goes on from there
@@ -174,7 +208,7 @@ void StepPlayer::takeStep() {
     const machine::Program& program = file->timeline->program();
     QString words = tr("Empty machine");
     if (step > 0) {
-        words = document::operationText(program, step - 1);
+        words = document::operationSentence(program, step - 1);
         const int line = program.operations[static_cast<std::size_t>(step) - 1].line;
         if (line > 0) {
             words = tr("%1 \u00b7 line %2").arg(words).arg(line);
@@ -191,7 +225,7 @@ void StepPlayer::setPlaying(bool on) {
     }
     if (on) {
         if (m_document.step() == m_document.operationCount()) {
-            m_document.setStep(0);
+            m_document.setStep(m_marks.loops() ? m_marks.loopFrom() : 0);
         }
         m_sinceTick.start();
         m_timer.start();
@@ -205,12 +239,25 @@ void StepPlayer::setPlaying(bool on) {
 void StepPlayer::tick() {
     const int due = m_playback.advance(static_cast<double>(m_sinceTick.nsecsElapsed()) * 1e-6);
     m_sinceTick.restart();
-    if (due > 0) {
-        m_document.moveStep(due);
-    }
-    if (m_document.step() == m_document.operationCount()) {
+    const auto next = m_marks.play(m_finder, m_document.step(), due, m_document.operationCount());
+    m_document.setStep(next.step);
+    if (next.stops) {
         setPlaying(false);
     }
+}
+
+void StepPlayer::showMarks() {
+    const auto part = [this](int step) { return m_courses.partOf(step); };
+    std::vector<int> steps(m_marks.bookmarks().begin(), m_marks.bookmarks().end());
+    std::vector<int> parts(steps.size());
+    std::ranges::transform(steps, parts.begin(), part);
+    const bool loops = m_marks.loops();
+    m_slider->setMarks(steps, m_marks.loopFrom(), loops ? m_marks.loopTo() : m_marks.loopFrom());
+    m_courseSlider->setMarks(parts, loops ? part(m_marks.loopFrom()) : 0, loops ? part(m_marks.loopTo()) : 0);
+    listBookmarks();
+    takeRules();
+    m_loopButton->setChecked(loops);
+    m_stopButton->setChecked(!m_marks.rules().empty());
 }
 
 bool StepPlayer::event(QEvent* event) {

@@ -1,5 +1,10 @@
 #pragma once
 
+#ifndef Q_MOC_RUN // moc 6.4 does not read all headers of C++20
+#include "ui/document/course_scale.h"
+#include "ui/document/step_marks.h"
+#endif
+
 #include "ui/document/document.h"
 #include "ui/views/step_player/playback.h"
 
@@ -7,12 +12,17 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <vector>
+
+class QAction;
 class QComboBox;
 class QLabel;
-class QSlider;
+class QMenu;
 class QToolButton;
 
 namespace knittsim::ui {
+
+class MarkedSlider;
 
 /// Bar below the fabric. Keys are given by the window, so that they work everywhere in it.
 class StepPlayer : public QWidget {
@@ -28,10 +38,20 @@ public:
     void setSpeed(double operationsPerSecond);
     void changeSpeed(int direction);
 
-    /// For a class room: the operation in words can be read from the last row.
-    void setLargeWords(bool on);
+    document::StepMarks& marks() { return m_marks; }
+    const document::StepMarks& marks() const { return m_marks; }
+    /// What can be marked, for the window's menu; with keys.
+    std::vector<QMenu*> menus() const { return {m_loopMenu, m_bookmarkMenu, m_stopMenu}; }
+    void walkBookmarks(int direction);
+    /// To the first operation written on a line of the source or after it.
+    void goToLine(int line);
+    void askForLine();
+
+    /// The operation in words below the buttons.
+    void setWords(bool on);
 
 signals:
+    void rulesShown(); ///< the stop menu shows marks().rules() now
     void playingChanged(bool on);
     void speedChanged(double operationsPerSecond);
 
@@ -42,13 +62,42 @@ private:
     void takeStep();
     void tick();
     void showSpeed();
+    void showMarks();
+
+    // step_player_menus.cpp
+    QAction* add(QMenu* menu, const char* name, const QString& text, const QKeySequence& keys,
+                 const std::function<void()>& action);
+    QToolButton* addMenuButton(const char* name, const char* iconName, const QString& text, QMenu* menu);
+    void buildLoopMenu();
+    void buildBookmarkMenu();
+    void buildStopMenu();
+    void listBookmarks();
+    void listCarriers();
+    void takeRules();
+    void addStop(const QString& text, const std::function<void(document::StopRules&, bool)>& set,
+                 const std::function<bool(const document::StopRules&)>& get, QMenu* menu = nullptr);
+    void askForNeedle();
+    void takeNeedle(const QString& text);
+
     bool event(QEvent* event) override;
 
     document::Document& m_document;
     Playback m_playback;
     QTimer m_timer;
     QElapsedTimer m_sinceTick;
-    QSlider* m_slider = nullptr;
+    document::StepMarks m_marks;
+    document::StopFinder m_finder;
+    document::CourseScale m_courses;
+    MarkedSlider* m_courseSlider = nullptr;
+    MarkedSlider* m_slider = nullptr; ///< inside the course
+    QMenu* m_loopMenu = nullptr;
+    QMenu* m_bookmarkMenu = nullptr;
+    QMenu* m_stopMenu = nullptr;
+    QMenu* m_carrierMenu = nullptr;
+    QToolButton* m_stopButton = nullptr;
+    QToolButton* m_loopButton = nullptr;
+    std::vector<QAction*> m_bookmarkActions;
+    QAction* m_needleStop = nullptr;
     QToolButton* m_play = nullptr;
     QComboBox* m_speed = nullptr;
     QLabel* m_words = nullptr;

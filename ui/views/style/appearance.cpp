@@ -46,6 +46,27 @@ QPalette makePalette(const Tones& t) {
     return p;
 }
 
+// Properties of the application.
+constexpr const char* kContrast = "highContrast";
+constexpr const char* kAppearance = "appearance";
+
+QPalette sharpened(QPalette palette) {
+    const bool dark = isDark(palette);
+    const QColor ground = dark ? Qt::black : Qt::white;
+    const QColor ink = dark ? Qt::white : Qt::black;
+    for (const QPalette::ColorRole role : {QPalette::Window, QPalette::Base, QPalette::AlternateBase}) {
+        palette.setColor(role, ground);
+    }
+    for (const QPalette::ColorRole role :
+         {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText}) {
+        palette.setColor(QPalette::Active, role, ink);
+        palette.setColor(QPalette::Inactive, role, ink);
+    }
+    palette.setColor(QPalette::Highlight, dark ? QColor(0xffd500) : QColor(0x003f8c));
+    palette.setColor(QPalette::HighlightedText, ground);
+    return palette;
+}
+
 } // namespace
 
 QPalette lightPalette() {
@@ -88,14 +109,24 @@ bool isDark(const QPalette& palette) {
 
 void applyAppearance(QApplication& application, document::Appearance appearance) {
     static const bool kSystemDark = isDark(application.palette());
+    application.setProperty(kAppearance, static_cast<int>(appearance));
     const bool dark = appearance == document::Appearance::Dark ||
                       (appearance == document::Appearance::System && kSystemDark);
     if (application.style()->name() != QLatin1String("fusion")) {
         application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     }
-    const QPalette palette = dark ? darkPalette() : lightPalette();
+    const QPalette plain = dark ? darkPalette() : lightPalette();
+    const QPalette palette = application.property(kContrast).toBool() ? sharpened(plain) : plain;
     application.setPalette(palette);
     QToolTip::setPalette(palette);
+}
+
+void applyContrast(QApplication& application, bool on) {
+    if (application.property(kContrast).toBool() != on) {
+        application.setProperty(kContrast, on);
+        applyAppearance(application,
+                        static_cast<document::Appearance>(application.property(kAppearance).toInt()));
+    }
 }
 
 Accents accentsOf(const QPalette& palette) {

@@ -19,6 +19,9 @@ bool isDark(const QPalette& palette);
 /// Sets Fusion and the palette. The palette before the first call is taken as the system's.
 void applyAppearance(QApplication& application, document::Appearance appearance);
 
+/// Black on white, or white on black: what a projector in a bright room still shows. Keeps the appearance.
+void applyContrast(QApplication& application, bool on);
+
 /// Colours beyond the palette.
 struct Accents {
     QColor good; ///< at rest

@@ -13,7 +13,7 @@ namespace knittsim::ui {
 namespace {
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("YarnDetails", text);
+    return QCoreApplication::translate("knittsim::ui", text);
 }
 
 QString row(const yarn::Yarn& yarn, const char* key, const QString& name, const QString& value,

@@ -1,0 +1,3302 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>ExportDialog</name>
+    <message>
+        <source>Picture (PNG)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>What you see, at any size.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Drawing in three strokes (SVG)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Lines in millimetres; at every crossing the front yarn lies on top.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Geometry, glTF binary (GLB)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>A closed tube for each yarn, in metres, with its colour. One file.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Geometry, glTF text (GLTF)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>As the binary form, a third larger.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Geometry, Wavefront (OBJ)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>A closed tube for each yarn, in millimetres; colours in an MTL file beside it.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Yarn curves (BCC)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The middle of each yarn as a curve, in millimetres.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Bonding points (CSV)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>A line for each bonding point: yarn, role, needle, place in millimetres.</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>FabricView</name>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 mm (%2 in)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 wales in 10 cm</source>
+        <translation>%1 Stäbchen auf 10 cm</translation>
+    </message>
+    <message>
+        <source>%1 courses in 10 cm</source>
+        <translation>%1 Reihen auf 10 cm</translation>
+    </message>
+</context>
+<context>
+    <name>beds</name>
+    <message>
+        <source>front bed</source>
+        <translation>vorderes Bett</translation>
+    </message>
+    <message>
+        <source>rear bed</source>
+        <translation>hinteres Bett</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::document</name>
+    <message>
+        <source>Left foot</source>
+        <translation>Linker Fuß</translation>
+    </message>
+    <message>
+        <source>Right foot</source>
+        <translation>Rechter Fuß</translation>
+    </message>
+    <message>
+        <source>Left head</source>
+        <translation>Linker Kopf</translation>
+    </message>
+    <message>
+        <source>Right head</source>
+        <translation>Rechter Kopf</translation>
+    </message>
+    <message>
+        <source>Crossing on the left leg</source>
+        <translation>Kreuzung am linken Schenkel</translation>
+    </message>
+    <message>
+        <source>Crossing on the right leg</source>
+        <translation>Kreuzung am rechten Schenkel</translation>
+    </message>
+    <message>
+        <source>Crossing on the float</source>
+        <translation>Kreuzung an der Flottung</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>nach links</translation>
+    </message>
+    <message>
+        <source>Knit on %1 with carrier %2, %3</source>
+        <translation>Stricken auf %1 mit Fadenführer %2, %3</translation>
+    </message>
+    <message>
+        <source>Tuck on %1 with carrier %2, %3</source>
+        <translation>Fang auf %1 mit Fadenführer %2, %3</translation>
+    </message>
+    <message>
+        <source>Miss %1 with carrier %2, %3</source>
+        <translation>%1 auslassen, Fadenführer %2, %3</translation>
+    </message>
+    <message>
+        <source>Carrier %2 starts at %1, %3</source>
+        <translation>Fadenführer %2 beginnt bei %1, %3</translation>
+    </message>
+    <message>
+        <source>Carrier %2 ends at %1, %3</source>
+        <translation>Fadenführer %2 endet bei %1, %3</translation>
+    </message>
+    <message>
+        <source>Split on %1 with carrier %2, %3</source>
+        <translation>Splitten auf %1 mit Fadenführer %2, %3</translation>
+    </message>
+    <message>
+        <source>Bring in carrier %1</source>
+        <translation>Fadenführer %1 hereinholen</translation>
+    </message>
+    <message>
+        <source>Bring in carrier %1 with the hook</source>
+        <translation>Fadenführer %1 mit dem Haken hereinholen</translation>
+    </message>
+    <message>
+        <source>Release carrier %1 from the hook</source>
+        <translation>Fadenführer %1 vom Haken lösen</translation>
+    </message>
+    <message>
+        <source>Take out carrier %1</source>
+        <translation>Fadenführer %1 herausnehmen</translation>
+    </message>
+    <message>
+        <source>Take out carrier %1 with the hook</source>
+        <translation>Fadenführer %1 mit dem Haken herausnehmen</translation>
+    </message>
+    <message>
+        <source>hung on an empty needle</source>
+        <translation>auf eine leere Nadel gehängt</translation>
+    </message>
+    <message>
+        <source>knit (purl on the face)</source>
+        <translation>gestrickt (links auf der Vorderseite)</translation>
+    </message>
+    <message>
+        <source>knit</source>
+        <translation>gestrickt</translation>
+    </message>
+    <message>
+        <source>tuck</source>
+        <translation>Fang</translation>
+    </message>
+    <message>
+        <source>split</source>
+        <translation>gesplittet</translation>
+    </message>
+    <message>
+        <source>through %1 loops</source>
+        <translation>durch %1 Schleifen</translation>
+    </message>
+    <message>
+        <source>moved %1 to the right</source>
+        <translation>um %1 nach rechts gewandert</translation>
+    </message>
+    <message>
+        <source>moved %1 to the left</source>
+        <translation>um %1 nach links gewandert</translation>
+    </message>
+    <message>
+        <source>moved to the front bed</source>
+        <translation>aufs vordere Bett gehängt</translation>
+    </message>
+    <message>
+        <source>moved to the rear bed</source>
+        <translation>aufs hintere Bett gehängt</translation>
+    </message>
+    <message>
+        <source>dropped</source>
+        <translation>abgeworfen</translation>
+    </message>
+    <message>
+        <source>front needle %1</source>
+        <translation>Nadel %1 vorn</translation>
+    </message>
+    <message>
+        <source>rear needle %1</source>
+        <translation>Nadel %1 hinten</translation>
+    </message>
+    <message>
+        <source>front slider %1</source>
+        <translation>Schieber %1 vorn</translation>
+    </message>
+    <message>
+        <source>rear slider %1</source>
+        <translation>Schieber %1 hinten</translation>
+    </message>
+    <message>
+        <source>Stitch size %1, tension %2</source>
+        <translation>Maschengröße %1, Spannung %2</translation>
+    </message>
+    <message>
+        <source>Stitch number %1</source>
+        <translation>Maschennummer %1</translation>
+    </message>
+    <message>
+        <source>Rack the rear bed to %1</source>
+        <translation>Hinteres Bett auf %1 versetzen</translation>
+    </message>
+    <message>
+        <source>Drop the loops of %1</source>
+        <translation>Schleifen von %1 abwerfen</translation>
+    </message>
+    <message>
+        <source>Activate %1 without yarn</source>
+        <translation>%1 ohne Faden bewegen</translation>
+    </message>
+    <message>
+        <source>Transfer from %1 to %2</source>
+        <translation>Umhängen von %1 auf %2</translation>
+    </message>
+    <message>
+        <source>Split on %1 to %2 with carrier %3, %4</source>
+        <translation>Splitten von %1 auf %2 mit Fadenführer %3, %4</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Show carrier %1 in colour %2</source>
+        <translation>Fadenführer %1 in Farbe %2 zeigen</translation>
+    </message>
+    <message>
+        <source>Knit: %1 draws yarn of carrier %2 through its loop.</source>
+        <translation>Stricken: %1 zieht Faden von Fadenführer %2 durch ihre Schleife.</translation>
+    </message>
+    <message>
+        <source>Tuck: %1 takes yarn of carrier %2 and keeps what it holds.</source>
+        <translation>Fang: %1 nimmt Faden von Fadenführer %2 und behält, was sie hält.</translation>
+    </message>
+    <message>
+        <source>Miss: carrier %2 passes %1, which stays down.</source>
+        <translation>Auslassen: Fadenführer %2 läuft an %1 vorbei, sie bleibt unten.</translation>
+    </message>
+    <message>
+        <source>Split: the loop on %1 moves to %2, and %1 takes yarn of carrier %3.</source>
+        <translation>Splitten: Die Schleife von %1 wandert auf %2, und %1 nimmt Faden von Fadenführer %3.</translation>
+    </message>
+    <message>
+        <source>Transfer: the loop on %1 moves to %2.</source>
+        <translation>Umhängen: Die Schleife von %1 wandert auf %2.</translation>
+    </message>
+    <message>
+        <source>Drop: the loop falls off %1.</source>
+        <translation>Abwerfen: Die Schleife fällt von %1.</translation>
+    </message>
+    <message>
+        <source>%1 moves without yarn.</source>
+        <translation>%1 bewegt sich ohne Faden.</translation>
+    </message>
+    <message>
+        <source>Rack: the rear bed moves to %1.</source>
+        <translation>Versatz: Das hintere Bett rückt auf %1.</translation>
+    </message>
+    <message>
+        <source>Carrier %1 comes in.</source>
+        <translation>Fadenführer %1 kommt herein.</translation>
+    </message>
+    <message>
+        <source>Carrier %1 comes in, the hook holds its yarn.</source>
+        <translation>Fadenführer %1 kommt herein, der Haken hält seinen Faden.</translation>
+    </message>
+    <message>
+        <source>The hook lets go of the yarn of carrier %1.</source>
+        <translation>Der Haken lässt den Faden von Fadenführer %1 los.</translation>
+    </message>
+    <message>
+        <source>Carrier %1 goes out, its yarn is cut.</source>
+        <translation>Fadenführer %1 geht hinaus, sein Faden wird geschnitten.</translation>
+    </message>
+    <message>
+        <source>%1, course %2: %3 with carrier %4</source>
+        <translation>%1, Reihe %2: %3 mit Fadenführer %4</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::document::Document</name>
+    <message>
+        <source>ladder of one loop</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>ladders of %1 loops</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>yarn %1 on carrier %2</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::document::Words</name>
+    <message>
+        <source>Bound: %1, rack %2</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Dropped by %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Hangs on %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The yarn of this loop lies in front here</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>In front here: %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>the loop of line %1 on %2</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>the loop on %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>, through one loop</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>, through %1 loops</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>, on the empty needle</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Made: %1%2, rack %3</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Moved by the split from %1 to %2%3, rack %4</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Transferred from %1 to %2%3, rack %4</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>, onto one loop</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>, onto %1 loops</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Crossed: %1; in front of %2 of %3</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Crossed: %1; behind %2 of %3</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>the left leg</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>the right leg</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>the float before</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui</name>
+    <message>
+        <source>Cast-on</source>
+        <translation>Anschlag</translation>
+    </message>
+    <message>
+        <source>The first loops are hung on empty needles. Every second needle takes yarn on the way there, the others on the way back.</source>
+        <translation>Die ersten Schleifen werden auf leere Nadeln gehängt. Jede zweite Nadel nimmt auf dem Hinweg Faden, die anderen auf dem Rückweg.</translation>
+    </message>
+    <message>
+        <source>Knit</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>The needle rises, its old loop slides behind the latch, new yarn comes. The needle sinks and draws the new loop through the old one.</source>
+        <translation>Die Nadel steigt, ihre alte Schleife rutscht hinter die Zunge, neuer Faden kommt. Die Nadel sinkt und zieht die neue Schleife durch die alte.</translation>
+    </message>
+    <message>
+        <source>Purl</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>The same stitch made on the rear bed. Seen from the front, the new loop goes to the back.</source>
+        <translation>Dieselbe Masche auf dem hinteren Bett. Von vorn gesehen geht die neue Schleife nach hinten.</translation>
+    </message>
+    <message>
+        <source>Tuck</source>
+        <translation>Fang</translation>
+    </message>
+    <message>
+        <source>The needle rises only so far that the old loop stays on the latch. It takes yarn and holds both.</source>
+        <translation>Die Nadel steigt nur so weit, dass die alte Schleife auf der Zunge bleibt. Sie nimmt Faden und hält beide.</translation>
+    </message>
+    <message>
+        <source>Miss</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>The needle stays down while the carrier passes. The yarn floats past its loop.</source>
+        <translation>Die Nadel bleibt unten, während der Fadenführer vorbeiläuft. Der Faden flottet an ihrer Schleife vorbei.</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>Splitten</translation>
+    </message>
+    <message>
+        <source>The loop goes to the other bed, and the needle takes new yarn in the same stroke. Both needles hold a loop then.</source>
+        <translation>Die Schleife geht aufs andere Bett, und die Nadel nimmt im selben Hub neuen Faden. Danach halten beide Nadeln eine Schleife.</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Umhängen</translation>
+    </message>
+    <message>
+        <source>The needle lifts its loop high, the needle opposite enters it and takes it over. The first needle is empty then.</source>
+        <translation>Die Nadel hebt ihre Schleife hoch, die Nadel gegenüber greift hinein und übernimmt sie. Die erste Nadel ist dann leer.</translation>
+    </message>
+    <message>
+        <source>Rack</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>The whole rear bed moves aside by needles. Its loops stand opposite other front needles then.</source>
+        <translation>Das ganze hintere Bett rückt um Nadeln zur Seite. Seine Schleifen stehen dann anderen vorderen Nadeln gegenüber.</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Abwerfen</translation>
+    </message>
+    <message>
+        <source>The needle works without getting yarn. Its loop falls off, and what hung from it may run.</source>
+        <translation>Die Nadel arbeitet, ohne Faden zu bekommen. Ihre Schleife fällt ab, und was daran hing, kann laufen.</translation>
+    </message>
+    <message>
+        <source>Bind-off</source>
+        <translation>Abketten</translation>
+    </message>
+    <message>
+        <source>One loop after the other is moved on to its neighbour and knitted together with it, until none is left that could run.</source>
+        <translation>Eine Schleife nach der anderen wird zur Nachbarin gehängt und mit ihr zusammengestrickt, bis keine mehr laufen kann.</translation>
+    </message>
+    <message>
+        <source>Knit: stitch on the front bed</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Purl: stitch on the rear bed</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Stitch on both beds</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Tuck: the yarn is laid into the hook, the loop is held</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Miss: the yarn passes, the loop is held</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Rest: the yarn does not come here, the loop is held</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Empty: no fabric here</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>This display offers no OpenGL.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>OpenGL cannot be used on this display.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>This display has software OpenGL only.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>OpenGL 3.3 is needed; this display has %1.%2.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The carriage comes</source>
+        <translation>Der Schlitten kommt</translation>
+    </message>
+    <message>
+        <source>The empty needle rises</source>
+        <translation>Die leere Nadel steigt</translation>
+    </message>
+    <message>
+        <source>The carrier lays the yarn into the hook</source>
+        <translation>Der Fadenführer legt den Faden in den Haken</translation>
+    </message>
+    <message>
+        <source>The needle sinks with its first loop</source>
+        <translation>Die Nadel sinkt mit ihrer ersten Schleife</translation>
+    </message>
+    <message>
+        <source>The needle rises: the old loop slides behind the latch</source>
+        <translation>Die Nadel steigt: die alte Schleife rutscht hinter die Zunge</translation>
+    </message>
+    <message>
+        <source>The needle sinks: the old loop shuts the latch</source>
+        <translation>Die Nadel sinkt: die alte Schleife schließt die Zunge</translation>
+    </message>
+    <message>
+        <source>Knock-over: the old loop hangs in the new one</source>
+        <translation>Abschlag: die alte Schleife hängt in der neuen</translation>
+    </message>
+    <message>
+        <source>The needle rises half: the old loop stays on the latch</source>
+        <translation>Die Nadel steigt halb: die alte Schleife bleibt auf der Zunge</translation>
+    </message>
+    <message>
+        <source>The needle sinks: both loops lie in the hook</source>
+        <translation>Die Nadel sinkt: beide Schleifen liegen im Haken</translation>
+    </message>
+    <message>
+        <source>Tuck: the old loop is kept</source>
+        <translation>Fang: die alte Schleife bleibt</translation>
+    </message>
+    <message>
+        <source>The needle lifts its loop high</source>
+        <translation>Die Nadel hebt ihre Schleife hoch</translation>
+    </message>
+    <message>
+        <source>The other needle enters the loop, the yarn is laid</source>
+        <translation>Die andere Nadel greift in die Schleife, der Faden kommt</translation>
+    </message>
+    <message>
+        <source>The other needle enters the loop</source>
+        <translation>Die andere Nadel greift in die Schleife</translation>
+    </message>
+    <message>
+        <source>The first needle sinks and leaves the loop to the other</source>
+        <translation>Die erste Nadel sinkt und lässt die Schleife der anderen</translation>
+    </message>
+    <message>
+        <source>The loop hangs on the other bed</source>
+        <translation>Die Schleife hängt am anderen Bett</translation>
+    </message>
+    <message>
+        <source>The needle rises and gets no yarn</source>
+        <translation>Die Nadel steigt und bekommt keinen Faden</translation>
+    </message>
+    <message>
+        <source>The needle sinks: the loop shuts the latch</source>
+        <translation>Die Nadel sinkt: die Schleife schließt die Zunge</translation>
+    </message>
+    <message>
+        <source>The loop falls off</source>
+        <translation>Die Schleife fällt ab</translation>
+    </message>
+    <message>
+        <source>The needle holds no loop</source>
+        <translation>Die Nadel hält keine Schleife</translation>
+    </message>
+    <message>
+        <source>The carrier passes, the needle stays down</source>
+        <translation>Der Fadenführer läuft vorbei, die Nadel bleibt unten</translation>
+    </message>
+    <message>
+        <source>The rear bed moves</source>
+        <translation>Das hintere Bett rückt</translation>
+    </message>
+    <message>
+        <source>forces are balanced</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>energy and shape no longer change</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>the limit of steps is reached</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>the numbers became useless; the last good shape is kept</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>the integrator gave up; try another one</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Nothing open</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>As the machine leaves it</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation>Entspannt sich</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation>In Ruhe</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 loops have run</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 loops have run, %2 would run</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>1 loop would run</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 loops would run</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>1 loop has run</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 loops have run</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Nothing more runs: every loop that is left is held by a needle or by the loop drawn through it.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Nothing runs: every loop is held by a needle or by the loop drawn through it.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 Without the stitch holder the loops left on the needles run as well.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Takes out the loops that nothing holds, course by course, and gives their yarn to the neighbours</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Loops left on the needles are held; without it the fabric ravels from the top</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Laying the yarn</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The yarn grows</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Settling, step %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 × %2 mm a stitch</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>At rest: wale spacing %1 mm, course spacing %2 mm, %3 × %4 mm</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>No yarn is inside another</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 places where yarns overlap</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>At %1 places a yarn may have passed another</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 stitches lie so that their topology cannot be read off the shape</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Stop the yarn</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Go on as yarn</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Settle as yarn</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Settle the whole fabric as real yarn, with thickness, bending and friction; some seconds for a thousand stitches</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>no twist</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1/m %2</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished">%1: %2 {1,?}</translation>
+    </message>
+    <message>
+        <source>Linear density</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 tex</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Count</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Nm %1 · Ne %2</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Outer diameter</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Core diameter</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>EA, stretching</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>EI, bending</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Plies and twist</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::AboutDialog</name>
+    <message>
+        <source>KnittSim %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Qt %1 (built with %2)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>OpenGL: %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>not in use</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>System: %1, %2</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>About KnittSim</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Turns knitting-machine programs into the fabric they knit, after the method of Meißner and Eberhardt, “The Art of Knitted Fabrics” (1998).
+
+MIT licence. Copyright the KnittSim authors.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Copies these lines for a report</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::Banner</name>
+    <message>
+        <source>Close this message</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::CarrierModel</name>
+    <message>
+        <source>Carrier %1: %2</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Carrier %1. Drop a yarn of the library here; the fabric goes on from its shape.</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::CataloguePopup</name>
+    <message>
+        <source>texture</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>cable</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>lace</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>tuck and slip</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>shaping</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Stitch catalogue</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 (%2), %3 wales x %4 courses</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::ChartCanvas</name>
+    <message>
+        <source>Chart</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Wales across, courses up. The left button draws, the right one picks stitch and yarn.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>cut</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>paste</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>clear</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>rotate</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>repeat</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>insert courses</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>remove courses</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>insert wales</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>remove wales</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>move</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Wale %1, course %2: %3</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>, carrier %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>; before it the loop goes to wale %1</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::ChartEditor</name>
+    <message>
+        <source>The fabric follows…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The fabric is out of date: %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Select</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Pencil</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Line</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Stitch catalogue</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>C&amp;lear</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Mirror left and right</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Mirror &amp;up and down</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Rotate a square selection</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>R&amp;epeat the selection over the chart</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Insert courses</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Remo&amp;ve courses</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Insert &amp;wales</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Remove wale&amp;s</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::ChartStroke</name>
+    <message>
+        <source>pencil</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>line</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>rectangle</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>fill</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::DiagnosticsList</name>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Double click or Enter shows the place (F8 next, Shift+F8 previous)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>turned off: %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Show the &amp;place</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Copy as text</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Turn rule %1 &amp;on again</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Turn &amp;off this rule…</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::DiagnosticsModel</name>
+    <message>
+        <source>Off</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Turned off: %1.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Place</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>What is wrong and what helps</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::DiagnosticsPanel</name>
+    <message>
+        <source>1 error</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 errors</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 warnings</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>1 note</source>
+        <translation>1 Hinweis</translation>
+    </message>
+    <message>
+        <source>%1 notes</source>
+        <translation>%1 Hinweise</translation>
+    </message>
+    <message>
+        <source>Shows or hides these problems</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Shows the problems of one rule only</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Shows the problems of rules that are turned off, with the reason</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Export report…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Writes machine, sizes, yarn, time and all problems to a file (Ctrl+Shift+E)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 turned off</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Turn off a rule</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 will not count in any file. Why not? The reason stays with the problems.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Turn off</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>All rules</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::EnergyPlot</name>
+    <message>
+        <source>Energies and residual</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Kinetic energy Ekin, spring energy V, Lagrangian L = Ekin − V, and the residual: the norm of the forces relative to the start</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Ekin</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>V</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>L</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Energies appear when the fabric settles.</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::ExportDialog</name>
+    <message>
+        <source> px</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Width of the picture</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Height of the picture</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Transparent background</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>What is written</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>File to write; one that is there is replaced when you export twice</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Choose a folder and a name</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>From where the fabric is shown</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Leaves out the background, for laying the picture over others</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>As seen now</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Technical face</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Technical back</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Side:</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Si&amp;ze:</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Fi&amp;le:</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Writes the file (Enter)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Stops writing; nothing is left of the file (Esc)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Export as</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>This file exists. Export once more to replace it, or choose another name.</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::FabricView</name>
+    <message>
+        <source>Fabric</source>
+        <translation>Gestrick</translation>
+    </message>
+    <message>
+        <source>The knitted fabric in three dimensions. Drag to turn it, drag with Shift to move it, turn the wheel to come nearer, click a stitch to select it.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>No fabric yet</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>only yarn %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>only course %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>OpenGL is switched off.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 The fabric is drawn flat.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>All of the fabric has run</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Stitch on needle %1, course %2</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::Gallery</name>
+    <message>
+        <source>KnittSim</source>
+        <translation>KnittSim</translation>
+    </message>
+    <message>
+        <source>Open a machine program, drop one here, or begin with a sample.</source>
+        <translation>Öffne ein Strickprogramm, zieh eines hierher oder beginne mit einem Muster.</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a machine program (Ctrl+O)</source>
+        <translation>Ein Strickprogramm öffnen (Strg+O)</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Muster</translation>
+    </message>
+    <message>
+        <source>Used last</source>
+        <translation>Zuletzt benutzt</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::GlCanvas</name>
+    <message>
+        <source>The fabric is too large for this graphics driver.</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::GlossaryDialog</name>
+    <message>
+        <source>Words of machine knitting</source>
+        <translation>Wörter des Maschinenstrickens</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Wörter</translation>
+    </message>
+    <message>
+        <source>Choose a word (up and down)</source>
+        <translation>Ein Wort wählen (auf und ab)</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::HandoutSink</name>
+    <message>
+        <source>The hand-out cannot be written to %1.</source>
+        <translation>Der Handzettel kann nicht nach %1 geschrieben werden.</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::HistoryCard</name>
+    <message>
+        <source>History of the bonding point</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Close; H shows histories again</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Close the history</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::KeyDialog</name>
+    <message>
+        <source>Mouse</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Turn the fabric</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>left drag</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Move the fabric</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>middle drag, or Shift and left drag</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Zoom at the cursor</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>wheel; in the pattern grid Ctrl and wheel</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Move the section</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Alt and wheel</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Select a stitch</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>click in fabric, grid or source</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Pull the yarn</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Ctrl and left drag on yarn</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Put a yarn on a carrier</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>drag, or double click in the library</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>What</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Key</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::LessonPanel</name>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Begins a lesson</source>
+        <translation>Beginnt eine Lektion</translation>
+    </message>
+    <message>
+        <source>Opens a lesson of your own (JSON)</source>
+        <translation>Öffnet eine eigene Lektion (JSON)</translation>
+    </message>
+    <message>
+        <source>Open a lesson</source>
+        <translation>Eine Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>To the stop before (Page Up)</source>
+        <translation>Zum vorigen Halt (Bild auf)</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>To the next stop (Page Down)</source>
+        <translation>Zum nächsten Halt (Bild ab)</translation>
+    </message>
+    <message>
+        <source>Stop of the lesson</source>
+        <translation>Halt der Lektion</translation>
+    </message>
+    <message>
+        <source>Choose a lesson</source>
+        <translation>Lektion wählen</translation>
+    </message>
+    <message>
+        <source>A lesson opens its own program and stops where there is something to see.</source>
+        <translation>Eine Lektion öffnet ihr eigenes Programm und hält, wo es etwas zu sehen gibt.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::MachineChoice</name>
+    <message>
+        <source>Machine</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Add machine…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>As the file says: %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>As the file says</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Machine: %1. Another one checks the program again and feeds its own loop lengths.</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::MainWindow</name>
+    <message>
+        <source>KnittSim</source>
+        <translation>KnittSim</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Gestrick</translation>
+    </message>
+    <message>
+        <source>%1 columns, %2 courses, %3, %4 problems</source>
+        <translation>%1 Spalten, %2 Reihen, %3, %4 Probleme</translation>
+    </message>
+    <message>
+        <source>Qt, flat</source>
+        <translation>Qt, flach</translation>
+    </message>
+    <message>
+        <source>Tape: %1</source>
+        <translation>Maßband: %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened.</source>
+        <translation>%1 konnte nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>%1 stays open.</source>
+        <translation>%1 bleibt geöffnet.</translation>
+    </message>
+    <message>
+        <source>Show the place</source>
+        <translation>Stelle zeigen</translation>
+    </message>
+    <message>
+        <source>Problems (%1)</source>
+        <translation>Probleme (%1)</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Charts and machine programs (*.knitt *.k *.knitout *.dat *.kc *.sin);;WKT of 1998 is not publicly documented: knitout or Sintral text fills its place (*.k *.sin);;All files (*)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Open a chart or a machine program</source>
+        <translation>Patrone oder Strickprogramm öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;New chart…</source>
+        <translation>&amp;Neue Patrone…</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Öffnen…</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Samples</source>
+        <translation>&amp;Muster</translation>
+    </message>
+    <message>
+        <source>Sample &amp;gallery</source>
+        <translation>Muster&amp;galerie</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>Export &amp;machine data…</source>
+        <translation>&amp;Maschinendaten ausgeben…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Ausgeben…</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>Export &amp;report…</source>
+        <translation>&amp;Bericht ausgeben…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Ctrl+Q</source>
+        <translation>Ctrl+Q</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z</source>
+        <translation>Ctrl+Shift+Z</translation>
+    </message>
+    <message>
+        <source>&amp;Find a yarn</source>
+        <translation>Garn &amp;finden</translation>
+    </message>
+    <message>
+        <source>Select &amp;nothing</source>
+        <translation>&amp;Nichts auswählen</translation>
+    </message>
+    <message>
+        <source>Next &amp;problem</source>
+        <translation>Nächstes &amp;Problem</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious problem</source>
+        <translation>&amp;Voriges Problem</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Vorn</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Hinten</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>Ort&amp;hographic</source>
+        <translation>&amp;Parallelperspektive</translation>
+    </message>
+    <message>
+        <source>Fit the fa&amp;bric</source>
+        <translation>&amp;Gestrick einpassen</translation>
+    </message>
+    <message>
+        <source>&amp;Centre on the selection</source>
+        <translation>Auswahl in die &amp;Mitte</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Ver&amp;größern</translation>
+    </message>
+    <message>
+        <source>Zoom o&amp;ut</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>Fit the &amp;pattern grid</source>
+        <translation>Pa&amp;trone einpassen</translation>
+    </message>
+    <message>
+        <source>Lit &amp;yarn</source>
+        <translation>Beleuchtetes &amp;Garn</translation>
+    </message>
+    <message>
+        <source>Three &amp;strokes</source>
+        <translation>Drei &amp;Striche</translation>
+    </message>
+    <message>
+        <source>Bonding points and &amp;mesh</source>
+        <translation>Bindungspunkte und &amp;Netz</translation>
+    </message>
+    <message>
+        <source>Yarn &amp;tension as colour</source>
+        <translation>Faden&amp;spannung als Farbe</translation>
+    </message>
+    <message>
+        <source>Contact force as colour</source>
+        <translation>Kontaktkraft als Farbe</translation>
+    </message>
+    <message>
+        <source>How hard other yarn presses, when settled as yarn (Shift+T)</source>
+        <translation>Wie stark anderes Garn drückt, wenn als Garn entspannt (Umschalt+T)</translation>
+    </message>
+    <message>
+        <source>H&amp;istory of the selected bonding point</source>
+        <translation>&amp;Geschichte des gewählten Bindungspunkts</translation>
+    </message>
+    <message>
+        <source>Shows the needle beds while they work (N)</source>
+        <translation>Zeigt die Nadelbetten bei der Arbeit (N)</translation>
+    </message>
+    <message>
+        <source>Follo&amp;w the working needle</source>
+        <translation>Der arbeitenden Nadel &amp;folgen</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>&amp;Erscheinungsbild</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>&amp;Machine</source>
+        <translation>&amp;Maschine</translation>
+    </message>
+    <message>
+        <source>&amp;Play the operations</source>
+        <translation>&amp;Abspielen</translation>
+    </message>
+    <message>
+        <source>&amp;Slower</source>
+        <translation>&amp;Langsamer</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>&amp;Schneller</translation>
+    </message>
+    <message>
+        <source>Operation &amp;forward</source>
+        <translation>Schritt &amp;vor</translation>
+    </message>
+    <message>
+        <source>Operation &amp;back</source>
+        <translation>Schritt &amp;zurück</translation>
+    </message>
+    <message>
+        <source>Pa&amp;ss forward</source>
+        <translation>&amp;Fahrt vor</translation>
+    </message>
+    <message>
+        <source>Pass bac&amp;k</source>
+        <translation>Fahrt zu&amp;rück</translation>
+    </message>
+    <message>
+        <source>&amp;Course forward</source>
+        <translation>Reihe v&amp;or</translation>
+    </message>
+    <message>
+        <source>C&amp;ourse back</source>
+        <translation>Reihe z&amp;urück</translation>
+    </message>
+    <message>
+        <source>To the &amp;empty machine</source>
+        <translation>Zur &amp;leeren Maschine</translation>
+    </message>
+    <message>
+        <source>To the e&amp;nd of the program</source>
+        <translation>Zum &amp;Ende des Programms</translation>
+    </message>
+    <message>
+        <source>&amp;Go to line…</source>
+        <translation>&amp;Gehe zu Zeile…</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>&amp;Add machine…</source>
+        <translation>Maschine &amp;hinzufügen…</translation>
+    </message>
+    <message>
+        <source>&amp;Simulate</source>
+        <translation>&amp;Simulieren</translation>
+    </message>
+    <message>
+        <source>&amp;Start or pause</source>
+        <translation>&amp;Start oder Pause</translation>
+    </message>
+    <message>
+        <source>One s&amp;tep</source>
+        <translation>Ein &amp;Schritt</translation>
+    </message>
+    <message>
+        <source>&amp;Restart from the machine</source>
+        <translation>&amp;Neu von der Maschine</translation>
+    </message>
+    <message>
+        <source>St&amp;op</source>
+        <translation>&amp;Halt</translation>
+    </message>
+    <message>
+        <source>Settle as &amp;yarn</source>
+        <translation>Als &amp;Garn entspannen</translation>
+    </message>
+    <message>
+        <source>Pull &amp;test…</source>
+        <translation>&amp;Zugversuch…</translation>
+    </message>
+    <message>
+        <source>Force against strain of a repeat of the fabric (Ctrl+P)</source>
+        <translation>Kraft über Dehnung eines Rapports (Strg+P)</translation>
+    </message>
+    <message>
+        <source>S&amp;urroundings of the yarn</source>
+        <translation>&amp;Umgebung des Garns</translation>
+    </message>
+    <message>
+        <source>&amp;Integrator</source>
+        <translation>&amp;Integrator</translation>
+    </message>
+    <message>
+        <source>Remove &amp;ladders</source>
+        <translation>&amp;Laufmaschen entfernen</translation>
+    </message>
+    <message>
+        <source>Stitch &amp;holder</source>
+        <translation>Maschen&amp;halter</translation>
+    </message>
+    <message>
+        <source>&amp;Pull the yarn with the mouse</source>
+        <translation>Mit der &amp;Maus am Faden ziehen</translation>
+    </message>
+    <message>
+        <source>P&amp;in the selected bonding point, or free it</source>
+        <translation>&amp;Gewählten Punkt feststecken oder lösen</translation>
+    </message>
+    <message>
+        <source>Re&amp;move all pins</source>
+        <translation>Alle Stecknadeln &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Fenster</translation>
+    </message>
+    <message>
+        <source>&amp;Designer</source>
+        <translation>&amp;Entwurf</translation>
+    </message>
+    <message>
+        <source>&amp;Teacher</source>
+        <translation>&amp;Unterricht</translation>
+    </message>
+    <message>
+        <source>&amp;Quality assurance</source>
+        <translation>&amp;Prüfung</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;About KnittSim</source>
+        <translation>&amp;Über KnittSim</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Muster</translation>
+    </message>
+    <message>
+        <source>Shows the list of problems</source>
+        <translation>Zeigt die Liste der Probleme</translation>
+    </message>
+    <message>
+        <source>&amp;Forget these files</source>
+        <translation>Diese Dateien &amp;vergessen</translation>
+    </message>
+    <message>
+        <source>Pau&amp;se</source>
+        <translation>Pau&amp;se</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>&amp;Start</translation>
+    </message>
+    <message>
+        <source>Pause the simulation (F5)</source>
+        <translation>Simulation anhalten (F5)</translation>
+    </message>
+    <message>
+        <source>Start the simulation (F5)</source>
+        <translation>Simulation starten (F5)</translation>
+    </message>
+    <message>
+        <source>Skip to the end of the &amp;ladder</source>
+        <translation>Zum Ende der &amp;Laufmasche</translation>
+    </message>
+    <message>
+        <source>No problems</source>
+        <translation>Keine Probleme</translation>
+    </message>
+    <message>
+        <source>1 problem</source>
+        <translation>1 Problem</translation>
+    </message>
+    <message>
+        <source>%1 problems</source>
+        <translation>%1 Probleme</translation>
+    </message>
+    <message>
+        <source>1 note</source>
+        <translation>1 Hinweis</translation>
+    </message>
+    <message>
+        <source>%1 notes</source>
+        <translation>%1 Hinweise</translation>
+    </message>
+    <message>
+        <source>%1 exists. Replace it?</source>
+        <translation>%1 gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>&amp;Pattern</source>
+        <translation>&amp;Patrone</translation>
+    </message>
+    <message>
+        <source>%1[*] – KnittSim</source>
+        <translation>%1[*] – KnittSim</translation>
+    </message>
+    <message>
+        <source>New chart</source>
+        <translation>Neue Patrone</translation>
+    </message>
+    <message>
+        <source>Save the chart</source>
+        <translation>Patrone speichern</translation>
+    </message>
+    <message>
+        <source>Charts (*.knitt)</source>
+        <translation>Patronen (*.knitt)</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved. %2</source>
+        <translation>%1 konnte nicht gespeichert werden. %2</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>The program of the chart is not ready yet.</source>
+        <translation>Das Programm der Patrone ist noch nicht fertig.</translation>
+    </message>
+    <message>
+        <source>The chart cannot be knitted as it is: there is no machine data.</source>
+        <translation>Die Patrone kann so nicht gestrickt werden: es gibt keine Maschinendaten.</translation>
+    </message>
+    <message>
+        <source>Export machine data</source>
+        <translation>Maschinendaten ausgeben</translation>
+    </message>
+    <message>
+        <source>Knitout (*.k *.knitout)</source>
+        <translation>Knitout (*.k *.knitout)</translation>
+    </message>
+    <message>
+        <source>Shima DAT (*.dat)</source>
+        <translation>Shima DAT (*.dat)</translation>
+    </message>
+    <message>
+        <source>Kniterate k-code (*.kc)</source>
+        <translation>Kniterate k-code (*.kc)</translation>
+    </message>
+    <message>
+        <source>The machine data cannot be written. %1</source>
+        <translation>Die Maschinendaten können nicht geschrieben werden. %1</translation>
+    </message>
+    <message>
+        <source>Machine data written to %1</source>
+        <translation>Maschinendaten geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Unsaved work on %1 of %2 was found.</source>
+        <translation>Nicht gespeicherte Arbeit an %1 vom %2 wurde gefunden.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Patrone</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelltext</translation>
+    </message>
+    <message>
+        <source>Yarns</source>
+        <translation>Garne</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Needle beds</source>
+        <translation>Nadelbetten</translation>
+    </message>
+    <message>
+        <source>&amp;Overlays</source>
+        <translation>&amp;Einblendungen</translation>
+    </message>
+    <message>
+        <source>Legend of the &amp;mesh</source>
+        <translation>Legende des &amp;Netzes</translation>
+    </message>
+    <message>
+        <source>&amp;Dimensions and gauge</source>
+        <translation>&amp;Maße und Maschendichte</translation>
+    </message>
+    <message>
+        <source>Signs at &amp;problems</source>
+        <translation>Zeichen an &amp;Problemen</translation>
+    </message>
+    <message>
+        <source>&amp;Lines along courses and wales</source>
+        <translation>&amp;Linien entlang Reihen und Stäbchen</translation>
+    </message>
+    <message>
+        <source>&amp;Section parallel to the picture</source>
+        <translation>&amp;Schnitt parallel zum Bild</translation>
+    </message>
+    <message>
+        <source>Measuring &amp;tape</source>
+        <translation>Maß&amp;band</translation>
+    </message>
+    <message>
+        <source>Select a stitch first, or point at one</source>
+        <translation>Wähle zuerst eine Masche oder zeige auf eine</translation>
+    </message>
+    <message>
+        <source>%1: hides all but that of the selected stitch</source>
+        <translation>%1: verbirgt alles außer dem der gewählten Masche</translation>
+    </message>
+    <message>
+        <source>Only this &amp;yarn</source>
+        <translation>Nur dieser &amp;Faden</translation>
+    </message>
+    <message>
+        <source>Only this &amp;course</source>
+        <translation>Nur diese &amp;Reihe</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm of yarn in the loop</source>
+        <translation>%1, %2 mm Faden in der Schleife</translation>
+    </message>
+    <message>
+        <source>Written to %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>The report cannot be written to %1.</source>
+        <translation>Der Bericht kann nicht nach %1 geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Report written to %1</source>
+        <translation>Bericht geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Export the report</source>
+        <translation>Bericht ausgeben</translation>
+    </message>
+    <message>
+        <source>Reports (*.html *.json)</source>
+        <translation>Berichte (*.html *.json)</translation>
+    </message>
+    <message>
+        <source>Add a machine</source>
+        <translation>Maschine hinzufügen</translation>
+    </message>
+    <message>
+        <source>Machine profiles (*.json);;All files (*)</source>
+        <translation>Maschinenprofile (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 is no machine profile that can be used.</source>
+        <translation>%1 ist kein brauchbares Maschinenprofil.</translation>
+    </message>
+    <message>
+        <source>And %1 more.</source>
+        <translation>Und %1 weitere.</translation>
+    </message>
+    <message>
+        <source>Machine %1 added</source>
+        <translation>Maschine %1 hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>&amp;Lesson</source>
+        <translation>&amp;Lektion</translation>
+    </message>
+    <message>
+        <source>&amp;Begin a lesson</source>
+        <translation>Lektion &amp;beginnen</translation>
+    </message>
+    <message>
+        <source>&amp;Open a lesson…</source>
+        <translation>Lektion &amp;öffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Next stop</source>
+        <translation>&amp;Nächster Halt</translation>
+    </message>
+    <message>
+        <source>Stop be&amp;fore</source>
+        <translation>&amp;Voriger Halt</translation>
+    </message>
+    <message>
+        <source>&amp;Words of machine knitting</source>
+        <translation>&amp;Wörter des Maschinenstrickens</translation>
+    </message>
+    <message>
+        <source>Open a lesson</source>
+        <translation>Eine Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Lessons (*.json);;All files (*)</source>
+        <translation>Lektionen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 is no lesson that can be used.</source>
+        <translation>%1 ist keine brauchbare Lektion.</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>Record an &amp;animation…</source>
+        <translation>&amp;Animation aufzeichnen…</translation>
+    </message>
+    <message>
+        <source>Record an animation</source>
+        <translation>Animation aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Animated WebP (*.webp)</source>
+        <translation>Animiertes WebP (*.webp)</translation>
+    </message>
+    <message>
+        <source>Record &amp;pictures…</source>
+        <translation>&amp;Bilder aufzeichnen…</translation>
+    </message>
+    <message>
+        <source>Record pictures: name of a new folder</source>
+        <translation>Bilder aufzeichnen: Name eines neuen Ordners</translation>
+    </message>
+    <message>
+        <source>Folder of PNG files (*)</source>
+        <translation>Ordner mit PNG-Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Print a &amp;hand-out…</source>
+        <translation>&amp;Handzettel drucken…</translation>
+    </message>
+    <message>
+        <source>Print a hand-out</source>
+        <translation>Handzettel drucken</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The range to play, else the bookmarks or the stops of the lesson</source>
+        <translation>Der zu spielende Teil, sonst die Lesezeichen oder die Halte der Lektion</translation>
+    </message>
+    <message>
+        <source>The empty machine.</source>
+        <translation>Die leere Maschine.</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen yet: set bookmarks (Ctrl+B), mark a range (Shift+Home, Shift+End) or begin a lesson.</source>
+        <translation>Noch ist nichts gewählt: setze Lesezeichen (Strg+B), markiere einen Teil (Umschalt+Pos1, Umschalt+Ende) oder beginne eine Lektion.</translation>
+    </message>
+    <message>
+        <source>Recording %1 steps</source>
+        <translation>%1 Schritte werden aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::NeedleBeds</name>
+    <message>
+        <source>Needle beds</source>
+        <translation>Nadelbetten</translation>
+    </message>
+    <message>
+        <source>Empty machine</source>
+        <translation>Leere Maschine</translation>
+    </message>
+    <message>
+        <source>rear</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>rack</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>%1: no loop</source>
+        <translation>%1: keine Schleife</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n loop(s)</source>
+        <translation>
+            <numerusform>%1: %n Schleife</numerusform><numerusform>%1: %n Schleifen</numerusform></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::NewChartDialog</name>
+    <message>
+        <source>New chart</source>
+        <translation>Neue Patrone</translation>
+    </message>
+    <message>
+        <source>Needles across</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Courses up</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The stitches that it begins with</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Wales</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Courses</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Ground</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Create</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::OpeningCard</name>
+    <message>
+        <source>Reading the file</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Running the machine</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Building the fabric</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stops opening this file; what was open stays</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::Overlay</name>
+    <message>
+        <source>technical face</source>
+        <translation>rechte Warenseite</translation>
+    </message>
+    <message>
+        <source>technical back</source>
+        <translation>linke Warenseite</translation>
+    </message>
+    <message>
+        <source>seen from its edge</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>courses, numbered</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>wales, numbered</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>× error, ! warning</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>section: Alt and wheel move it</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>tape: click the second point</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>tape: click the first point</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>foot in a head: a loop drawn through</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>head, nothing through it</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>crossing: the unbroken yarn lies in front</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Yarn tension (mN)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Contact force (mN/mm)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Not known for this shape yet</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>course</source>
+        <translation>Reihe</translation>
+    </message>
+    <message>
+        <source>wale</source>
+        <translation>Stäbchen</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::PatternGrid</name>
+    <message>
+        <source>Pattern grid</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Needles across, courses up, one cell a stitch. Click selects a stitch; Ctrl and the wheel zoom.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Needle %1, course %2: miss, carrier %3 floats past</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>This program makes no stitches.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Nothing is open.</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::PngSink</name>
+    <message>
+        <source>%1 exists already; choose another name.</source>
+        <translation>%1 gibt es schon; wähle einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>A picture cannot be written to %1.</source>
+        <translation>Ein Bild kann nicht nach %1 geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The pictures cannot be written to %1.</source>
+        <translation>Die Bilder können nicht nach %1 geschrieben werden.</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::PullDialog</name>
+    <message>
+        <source>Pull test</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Draws one repeat of the fabric longer in the yarn model and lets it back, as a strip far from its grips.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Left and right, along the courses</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Top and bottom, along the wales</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The two opposite sides that are pulled; the others are free</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Largest strain, of the size at rest</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Points up to the largest strain, and as many back</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Pulled &amp;sides</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>S&amp;train</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Ste&amp;ps</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Progress of the pull test</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Pull</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Write CSV…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Writes strain, force and size of every point as comma-separated values</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Ends the test (Esc)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Sto&amp;p</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Ends the test and keeps its points</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Starts the test</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>A repeat of %1 × %2 stitches</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Some seconds for a small repeat.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The repeat comes to rest…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1, point %2 of at most %3</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1: %2 N/mm at %3 %</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Most of the fabric would have to be knit and purl stitches of one yarn that repeat themselves.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The repeat does not come to rest; the points up to there are kept.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Write the pull test</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Written to %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::PullPlot</name>
+    <message>
+        <source>Force against strain</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Force by width of the fabric against strain: drawn longer (full line) and back (dashed)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Force (N/mm)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Strain (%)</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::Recorder</name>
+    <message>
+        <source>There is no step to record.</source>
+        <translation>Es gibt keinen Schritt aufzuzeichnen.</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::SimulationPanel</name>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>F5</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>One step of the integrator</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>F6</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Restart from the machine</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>R</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Stop and forget the velocity</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Shift+F5</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Integrator</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Remove ladders</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Settle as yarn</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Y</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Surroundings of the yarn</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Stitch holder</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 (Ctrl+Shift+L)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Step %1 · %2 ms each</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source> · dt %1 s</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Integrator. %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Skip to the end</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Shows the end of the run at once (Ctrl+L); Escape puts the loops back</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 (Ctrl+L)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Keeps the shape that the yarn has reached (Y)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 (Y)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>What the yarn lies on or hangs from. %1</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::SourceView</name>
+    <message>
+        <source>Source text</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>This file is not text.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>No text to show.</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::StatusLine</name>
+    <message>
+        <source>Needle: f front bed, b rear bed</source>
+        <translation>Nadel: f vorderes Bett, b hinteres Bett</translation>
+    </message>
+    <message>
+        <source>needle %1</source>
+        <translation>Nadel %1</translation>
+    </message>
+    <message>
+        <source>Fabric course, counted from the first one knitted</source>
+        <translation>Reihe des Gestricks, ab der ersten gezählt</translation>
+    </message>
+    <message>
+        <source>course %1</source>
+        <translation>Reihe %1</translation>
+    </message>
+    <message>
+        <source>Racking of the rear bed in needle pitches</source>
+        <translation>Versatz des hinteren Betts in Nadelteilungen</translation>
+    </message>
+    <message>
+        <source>rack %1</source>
+        <translation>Versatz %1</translation>
+    </message>
+    <message>
+        <source>Yarn carrier and its direction</source>
+        <translation>Fadenführer und seine Richtung</translation>
+    </message>
+    <message>
+        <source>carrier %1 %2</source>
+        <translation>Fadenführer %1 %2</translation>
+    </message>
+    <message>
+        <source>What the simulation does</source>
+        <translation>Was die Simulation tut</translation>
+    </message>
+    <message>
+        <source>Loops made up to the operation shown</source>
+        <translation>Schleifen bis zum gezeigten Schritt</translation>
+    </message>
+    <message>
+        <source>Loops that nothing holds: Remove ladders (Ctrl+L) lets them run</source>
+        <translation>Schleifen ohne Halt: Laufmaschen entfernen (Strg+L) lässt sie laufen</translation>
+    </message>
+    <message>
+        <source>Spring energy V of the fabric</source>
+        <translation>Federenergie V des Gestricks</translation>
+    </message>
+    <message>
+        <source>V %1</source>
+        <translation>V %1</translation>
+    </message>
+    <message>
+        <source>Computing time of one integrator step</source>
+        <translation>Rechenzeit eines Integratorschritts</translation>
+    </message>
+    <message>
+        <source>%1 ms/step</source>
+        <translation>%1 ms/Schritt</translation>
+    </message>
+    <message>
+        <source>What draws the fabric (OpenGL)</source>
+        <translation>Was das Gestrick zeichnet (OpenGL)</translation>
+    </message>
+    <message>
+        <source>Drawn by %1</source>
+        <translation>Gezeichnet von %1</translation>
+    </message>
+    <message>
+        <source>%1 stitches</source>
+        <translation>%1 Maschen</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::StepPlayer</name>
+    <message>
+        <source>Step player</source>
+        <translation>Schrittspieler</translation>
+    </message>
+    <message>
+        <source>To the empty machine</source>
+        <translation>Zur leeren Maschine</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
+        <source>One course back</source>
+        <translation>Eine Reihe zurück</translation>
+    </message>
+    <message>
+        <source>One operation back</source>
+        <translation>Einen Schritt zurück</translation>
+    </message>
+    <message>
+        <source>Play the operations</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>One operation forward</source>
+        <translation>Einen Schritt vor</translation>
+    </message>
+    <message>
+        <source>One course forward</source>
+        <translation>Eine Reihe vor</translation>
+    </message>
+    <message>
+        <source>To the end of the program</source>
+        <translation>Zum Ende des Programms</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Reihe</translation>
+    </message>
+    <message>
+        <source>Course that is shown (↑ and ↓)</source>
+        <translation>Gezeigte Reihe (↑ und ↓)</translation>
+    </message>
+    <message>
+        <source>Operation in the course</source>
+        <translation>Schritt in der Reihe</translation>
+    </message>
+    <message>
+        <source>Operation that is shown, inside the course (← and →, Shift for a carriage pass)</source>
+        <translation>Gezeigter Schritt in der Reihe (← und →, mit Umschalt eine Fahrt)</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>1× is five operations a second ([ slower, ] faster)</source>
+        <translation>1× sind fünf Schritte in der Sekunde ([ langsamer, ] schneller)</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Operations carried out, and operations of the program</source>
+        <translation>Ausgeführte Schritte und Schritte des Programms</translation>
+    </message>
+    <message>
+        <source>Play a part again and again</source>
+        <translation>Einen Teil immer wieder spielen</translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation>Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Where playing stops</source>
+        <translation>Wo das Abspielen hält</translation>
+    </message>
+    <message>
+        <source>Empty machine</source>
+        <translation>Leere Maschine</translation>
+    </message>
+    <message>
+        <source>%1 · line %2</source>
+        <translation>%1 · Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Play a part again a&amp;nd again</source>
+        <translation>Einen Teil immer &amp;wieder spielen</translation>
+    </message>
+    <message>
+        <source>&amp;From here</source>
+        <translation>&amp;Von hier</translation>
+    </message>
+    <message>
+        <source>Up &amp;to here</source>
+        <translation>&amp;Bis hier</translation>
+    </message>
+    <message>
+        <source>Play &amp;all again</source>
+        <translation>Wieder &amp;alles spielen</translation>
+    </message>
+    <message>
+        <source>Book&amp;marks</source>
+        <translation>&amp;Lesezeichen</translation>
+    </message>
+    <message>
+        <source>&amp;Bookmark here, or remove it</source>
+        <translation>Lesezeichen &amp;hier setzen oder entfernen</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>&amp;Next bookmark</source>
+        <translation>&amp;Nächstes Lesezeichen</translation>
+    </message>
+    <message>
+        <source>&amp;Previous bookmark</source>
+        <translation>&amp;Voriges Lesezeichen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Stop &amp;playing at</source>
+        <translation>A&amp;nhalten bei</translation>
+    </message>
+    <message>
+        <source>&amp;Knit</source>
+        <translation>&amp;Stricken</translation>
+    </message>
+    <message>
+        <source>&amp;Tuck</source>
+        <translation>&amp;Fang</translation>
+    </message>
+    <message>
+        <source>&amp;Miss</source>
+        <translation>&amp;Auslassen</translation>
+    </message>
+    <message>
+        <source>&amp;Split</source>
+        <translation>S&amp;plitten</translation>
+    </message>
+    <message>
+        <source>Trans&amp;fer</source>
+        <translation>&amp;Umhängen</translation>
+    </message>
+    <message>
+        <source>&amp;Drop</source>
+        <translation>A&amp;bwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Rack</source>
+        <translation>&amp;Versatz</translation>
+    </message>
+    <message>
+        <source>Carrier comes &amp;in</source>
+        <translation>Fadenführer kommt &amp;herein</translation>
+    </message>
+    <message>
+        <source>Carrier goes &amp;out</source>
+        <translation>Fadenführer geht hina&amp;us</translation>
+    </message>
+    <message>
+        <source>A racking that is &amp;not 0</source>
+        <translation>Versatz &amp;ungleich 0</translation>
+    </message>
+    <message>
+        <source>A &amp;problem</source>
+        <translation>Ein &amp;Problem</translation>
+    </message>
+    <message>
+        <source>A n&amp;eedle…</source>
+        <translation>Eine &amp;Nadel…</translation>
+    </message>
+    <message>
+        <source>A &amp;carrier that comes to work</source>
+        <translation>Ein &amp;Fadenführer, der an die Arbeit kommt</translation>
+    </message>
+    <message>
+        <source>No&amp;where</source>
+        <translation>Nir&amp;gends</translation>
+    </message>
+    <message>
+        <source>Carrier %1</source>
+        <translation>Fadenführer %1</translation>
+    </message>
+    <message>
+        <source>A n&amp;eedle (%1)…</source>
+        <translation>Eine &amp;Nadel (%1)…</translation>
+    </message>
+    <message>
+        <source>Stop at a needle</source>
+        <translation>Bei einer Nadel anhalten</translation>
+    </message>
+    <message>
+        <source>Bed and number, for example f5 or b12; empty for none:</source>
+        <translation>Bett und Nummer, zum Beispiel f5 oder b12; leer für keine:</translation>
+    </message>
+    <message>
+        <source>“%1” is no needle. Write the bed (f, b, fs or bs) and a number, for example f5.</source>
+        <translation>„%1“ ist keine Nadel. Schreibe Bett (f, b, fs oder bs) und Nummer, zum Beispiel f5.</translation>
+    </message>
+    <message>
+        <source>Go to line</source>
+        <translation>Gehe zu Zeile</translation>
+    </message>
+    <message>
+        <source>Line of the source:</source>
+        <translation>Zeile des Quelltexts:</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::TeachingBoard</name>
+    <message>
+        <source>Course and operation</source>
+        <translation>Reihe und Schritt</translation>
+    </message>
+    <message>
+        <source>Course that is knitted, and courses of the program</source>
+        <translation>Reihe, die gestrickt wird, und Reihen des Programms</translation>
+    </message>
+    <message>
+        <source>The operation that is shown</source>
+        <translation>Der gezeigte Schritt</translation>
+    </message>
+    <message>
+        <source>Row %1 of %2</source>
+        <translation>Reihe %1 von %2</translation>
+    </message>
+    <message>
+        <source>The empty machine.</source>
+        <translation>Die leere Maschine.</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::WebpSink</name>
+    <message>
+        <source>The animation cannot be written to %1.</source>
+        <translation>Die Animation kann nicht nach %1 geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The animation could not be made: its pictures are too large or there are none.</source>
+        <translation>Die Animation konnte nicht gemacht werden: ihre Bilder sind zu groß oder es gibt keine.</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::YarnModel</name>
+    <message>
+        <source>%1: drag it onto a carrier, or double click to put it on the selected carrier</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::YarnPalette</name>
+    <message>
+        <source>Yarn of carrier %1: %2</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Add a yarn on the next carrier</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>another yarn</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::YarnPanel</name>
+    <message>
+        <source>Carriers</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Search yarns</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Name, fibre or count (Ctrl+F)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Yarn library</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Library</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Details of the yarn</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Replaces the carrier's yarn; the fabric goes on from its shape (double click or Enter)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Put on carrier %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Put on the carrier</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Colour of the carrier's yarn</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>Turns knitting-machine programs into fabrics that settle while you watch.</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>messages</name>
+    <message>
+        <source>Note</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Error</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>course %1</source>
+        <translation>Reihe %1</translation>
+    </message>
+</context>
+</TS>

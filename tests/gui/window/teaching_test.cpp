@@ -1,0 +1,345 @@
+#include "ui/dialogs/glossary_dialog.h"
+#include "ui/document/operation_text.h"
+#include "ui/views/fabric_view/fabric_view.h"
+#include "ui/views/lesson/lesson_panel.h"
+#include "ui/views/lesson/teaching_board.h"
+#include "ui/views/needle_beds/needle_beds.h"
+#include "ui/views/step_player/step_player.h"
+#include "ui/views/style/appearance.h"
+#include "ui/views/style/language.h"
+#include "ui/window/banner.h"
+#include "ui/window/key_guard.h"
+#include "ui/window/main_window.h"
+
+#include <QDir>
+#include <QDockWidget>
+#include <QFile>
+#include <QImageReader>
+#include <QLabel>
+#include <QMenuBar>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace knittsim::ui {
+
+using document::Document;
+
+class TeachingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        qputenv("KNITTSIM_CONFIG_DIR", m_folder.path().toUtf8());
+        applyAppearance(*qApp, document::Appearance::Light);
+        qApp->installEventFilter(&m_guard);
+    }
+
+    void init() {
+        document::Session().clear();
+        applyLanguage(*qApp, QStringLiteral("en"));
+        openWindow();
+    }
+
+    void cleanup() {
+        m_window.reset();
+        applyLanguage(*qApp, QStringLiteral("en"));
+    }
+
+    void aLessonSetsUpTheClassAndLeadsThroughItsStops() {
+        begin(4); // cable
+        QVERIFY(child<TeachingBoard>("teachingBoard")->isVisible());
+        QVERIFY(child<QWidget>("needleBeds")->isVisible());
+        QVERIFY(child<LessonPanel>("lessonPanel")->isVisible());
+        QVERIFY(!child<QToolBar>("toolBar")->isVisible());
+        const auto steps = panel().stopSteps();
+        QVERIFY(steps.size() >= 4);
+        QCOMPARE(document().step(), steps.at(0));
+        key(Qt::Key_PageDown);
+        QCOMPARE(document().step(), steps.at(1));
+        QTest::mouseClick(child<QToolButton>("stopNext"), Qt::LeftButton);
+        QCOMPARE(document().step(), steps.at(2));
+        QVERIFY(child<QLabel>("lessonTitle")->text().contains("rack", Qt::CaseInsensitive));
+        key(Qt::Key_PageUp);
+        QCOMPARE(document().step(), steps.at(1));
+        QVERIFY(child<TeachingBoard>("teachingBoard")
+                    ->sentence()
+                    .startsWith("Transfer: the loop on front needle"));
+        QCOMPARE(child<StepPlayer>("stepPlayer")->marks().bookmarks().size(), steps.size());
+        QTRY_COMPARE(document().shownStep(), steps.at(1));
+        QTRY_VERIFY(!document().needleHooks().empty());
+        QCOMPARE(document().selection().operation, steps.at(1) - 1);
+        QVERIFY2(document().selection().loop >= 0, "the loop that moved is highlighted");
+    }
+
+    void everyLessonStopsWhereItSays() {
+        for (std::size_t i = 0; i < panel().lessons().size(); ++i) {
+            begin(static_cast<int>(i));
+            const auto steps = panel().stopSteps();
+            QVERIFY2(std::ranges::is_sorted(steps), panel().current()->id.c_str());
+            QVERIFY2(std::ranges::adjacent_find(steps) == steps.end(), panel().current()->id.c_str());
+            for (std::size_t stop = 1; stop < steps.size(); ++stop) {
+                key(Qt::Key_PageDown);
+                QCOMPARE(document().step(), steps.at(stop));
+            }
+        }
+    }
+
+    void anOwnLessonIsOpenedAndABrokenOneIsToldAbout() {
+        write("program.k", ";!knitout-2\n;;Carriers: 1\nin 1\nknit + f1 1\nknit + f2 1\nout 1\n");
+        const QString good = write(
+            "mine.json", R"({"title": {"en": "Mine"}, "summary": {"en": "S"}, "file": "program.k", "stops": [
+                {"at": {"line": 5}, "title": {"en": "Here"}, "text": {"en": "Look"}, "look": "source"}]})");
+        const QString bad = write("bad.json", R"({"title": {"en": "Mine"}})");
+        m_window->openLesson(bad);
+        QVERIFY(child<Banner>("banner")->isVisible());
+        QVERIFY2(child<Banner>("banner")->text().contains("summary"),
+                 qPrintable(child<Banner>("banner")->text()));
+        m_window->openLesson(good);
+        QTRY_VERIFY(panel().running());
+        QCOMPARE(panel().stopSteps().at(0), 3);
+        QCOMPARE(document().step(), 3);
+        QVERIFY(child<QDockWidget>("sourceDock")->isVisible());
+    }
+
+    void layoutsHaveAKeyEachAndAreRemembered() {
+        openSample("plain");
+        key(Qt::Key_F7);
+        QVERIFY(child<QDockWidget>("problemDock")->isVisible());
+        QVERIFY(!child<QDockWidget>("yarnDock")->isVisible());
+        key(Qt::Key_F4);
+        QVERIFY(child<TeachingBoard>("teachingBoard")->isVisible());
+        QVERIFY(!child<QDockWidget>("sourceDock")->isVisible());
+        child<QDockWidget>("sourceDock")->show(); // as this teacher likes it
+        key(Qt::Key_F3);
+        QVERIFY(child<QDockWidget>("yarnDock")->isVisible());
+        QVERIFY(!child<TeachingBoard>("teachingBoard")->isVisible());
+        QVERIFY(child<QToolBar>("toolBar")->isVisible());
+        key(Qt::Key_F4);
+        QVERIFY(child<QDockWidget>("sourceDock")->isVisible());
+        m_window->close();
+        openWindow();
+        openSample("plain");
+        QVERIFY(child<TeachingBoard>("teachingBoard")->isVisible());
+        QVERIFY(child<QDockWidget>("sourceDock")->isVisible());
+    }
+
+    void theBoardIsReadFromAfarAndSharp() {
+        openSample("plain");
+        key(Qt::Key_F4);
+        document().setStep(130);
+        auto* course = child<QLabel>("boardCourse");
+        QVERIFY(course->text().contains("Row"));
+        QVERIFY(QFontMetrics(course->font()).height() >= m_window->height() / 20);
+        const QPalette colours = child<QWidget>("teachingBoard")->palette();
+        const double light = colours.color(QPalette::Window).lightnessF();
+        const double ink = colours.color(QPalette::WindowText).lightnessF();
+        QVERIFY(std::abs(light - ink) > 0.99);
+        key(Qt::Key_F3);
+        QVERIFY(m_window->palette().color(QPalette::Window) == lightPalette().color(QPalette::Window));
+    }
+
+    void everyWordOfTheGlossaryIsShownByNeedles() {
+        key(Qt::Key_F1, Qt::ShiftModifier);
+        auto* dialog = m_window->findChild<GlossaryDialog*>();
+        QVERIFY(dialog);
+        QStringList ids;
+        for (const GlossaryEntry& entry : glossary()) {
+            ids << entry.id;
+            dialog->showWord(entry.id);
+            QTRY_VERIFY2(dialog->document().title() == entry.word, qPrintable(entry.id));
+            QVERIFY2(!hasErrors(dialog->document().problems()), qPrintable(entry.id));
+            QCOMPARE(dialog->document().step(), entry.from);
+            QVERIFY2(dialog->document().operationCount() > entry.from, qPrintable(entry.id));
+        }
+        for (const char* word :
+             {"knit", "purl", "tuck", "miss", "split", "transfer", "rack", "drop", "cast-on", "bind-off"}) {
+            QVERIFY2(ids.contains(QLatin1String(word)), word);
+        }
+        dialog->showWord(QStringLiteral("transfer"));
+        QTRY_VERIFY(dialog->stage().clock().running() && dialog->stage().clock().phase() > 0.1);
+    }
+
+    void operationsSpeakEnglishAndGerman() {
+        machine::Program program;
+        program.header.carriers.push_back({"3", 0, false, ""});
+        machine::Operation op;
+        op.kind = machine::OperationKind::Xfer;
+        op.needle = {machine::Bed::Front, 5};
+        op.target = {machine::Bed::Rear, 5};
+        program.operations.push_back(op);
+        op.kind = machine::OperationKind::Tuck;
+        op.carriers = {0};
+        program.operations.push_back(op);
+        QCOMPARE(document::operationSentence(program, 0),
+                 QStringLiteral("Transfer: the loop on front needle 5 moves to rear needle 5."));
+        QCOMPARE(document::operationSentence(program, 1),
+                 QStringLiteral("Tuck: front needle 5 takes yarn of carrier 3 and keeps what it holds."));
+        applyLanguage(*qApp, QStringLiteral("de"));
+        QCOMPARE(document::operationSentence(program, 0),
+                 QStringLiteral("Umh\u00e4ngen: Die Schleife von Nadel 5 vorn wandert auf Nadel 5 hinten."));
+        QCOMPARE(
+            document::operationSentence(program, 1),
+            QStringLiteral("Fang: Nadel 5 vorn nimmt Faden von Fadenf\u00fchrer 3 und beh\u00e4lt, was sie "
+                           "h\u00e4lt."));
+        for (int kind = 0; kind < machine::kOperationKindCount; ++kind) {
+            program.operations.front().kind = static_cast<machine::OperationKind>(kind);
+            program.operations.front().carriers = {0};
+            const QString german = document::operationSentence(program, 0);
+            applyLanguage(*qApp, QStringLiteral("en"));
+            const QString english = document::operationSentence(program, 0);
+            applyLanguage(*qApp, QStringLiteral("de"));
+            const bool same = kind == static_cast<int>(machine::OperationKind::Pause) ||
+                              kind == static_cast<int>(machine::OperationKind::Extension);
+            QVERIFY2(same || german != english, qPrintable(english));
+        }
+    }
+
+    void theLanguageChangesWithTheDocumentAtHand() {
+        openSample("cable-left");
+        document().setStep(190);
+        QTRY_COMPARE(document().shownStep(), 190);
+        QSignalSpy chosen(m_window.get(), &MainWindow::languageChosen);
+        child<QAction>("actionLanguage_de")->trigger();
+        QCOMPARE(chosen.count(), 1);
+        QCOMPARE(document::Session().language(), QStringLiteral("de"));
+        applyLanguage(*qApp, QStringLiteral("de"));
+        const auto file = document().file();
+        auto next = std::make_unique<MainWindow>(m_window->releaseDocument());
+        m_window = std::move(next);
+        m_window->show();
+        QCOMPARE(document().file(), file);
+        QCOMPARE(document().step(), 190);
+        QCOMPARE(m_window->menuBar()->actions().at(0)->text(), QStringLiteral("&Datei"));
+        QVERIFY(child<QLabel>("stepWords")->text().startsWith(QStringLiteral("Umh\u00e4ngen")));
+        QTRY_VERIFY(child<FabricView>("fabricView")->isUpToDate());
+        document().setStep(191);
+        QVERIFY(child<QLabel>("stepWords")->text().startsWith("Versatz"));
+        begin(0);
+        QCOMPARE(child<QLabel>("lessonTitle")->text(), QStringLiteral("Die leere Maschine"));
+    }
+
+    void aRangeBecomesNumberedPictures() {
+        openSample("plain");
+        markRange(60, 63);
+        const QString folder = m_folder.filePath("frames");
+        record(folder);
+        QCOMPARE(QDir(folder).entryList(QDir::Files),
+                 (QStringList{"00001.png", "00002.png", "00003.png", "00004.png"}));
+        const QImage first(folder + "/00001.png");
+        QCOMPARE(first.width(), m_window->width());
+        QVERIFY(first != QImage(folder + "/00004.png"));
+        QCOMPARE(document().step(), 63);
+    }
+
+    void aRangeBecomesAnAnimation() {
+        openSample("plain");
+        markRange(60, 62);
+        const QString path = m_folder.filePath("moving.webp");
+        record(path);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        QVERIFY(bytes.startsWith("RIFF"));
+        QCOMPARE(bytes.mid(8, 4), QByteArray("WEBP"));
+        QCOMPARE(bytes.count("ANMF"), 3);
+    }
+
+    void theStopsOfALessonBecomeAHandout() {
+        begin(0);
+        const QString path = m_folder.filePath("hand-out.pdf");
+        record(path);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        QVERIFY(bytes.startsWith("%PDF"));
+        QVERIFY(bytes.contains("/Count 3")); // six stops, two a page
+    }
+
+    void aCancelledRecordingLeavesNothing() {
+        openSample("plain");
+        markRange(60, 300);
+        const QStringList before = QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden);
+        for (const char* name : {"gone", "gone.webp", "gone.pdf"}) {
+            m_window->record(m_folder.filePath(name));
+            auto* progress = child<QProgressDialog>("recordProgress");
+            QVERIFY(progress && progress->isVisible());
+            QTRY_VERIFY(progress->value() > 0);
+            QTest::mouseClick(progress->findChild<QPushButton*>(), Qt::LeftButton);
+            QTRY_VERIFY(!child<QProgressDialog>("recordProgress"));
+            QCOMPARE(document().step(), 300);
+        }
+        QCOMPARE(QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden), before);
+    }
+
+    void aFolderThatIsThereIsNotTouched() {
+        openSample("plain");
+        markRange(60, 61);
+        const QString folder = m_folder.filePath("mine");
+        QVERIFY(QDir().mkpath(folder));
+        record(folder);
+        QVERIFY(child<Banner>("banner")->text().contains("exists"));
+        QVERIFY(QDir(folder).isEmpty());
+    }
+
+private:
+    Document& document() { return m_window->document(); }
+    LessonPanel& panel() { return *child<LessonPanel>("lessonPanel"); }
+    template<class T> T* child(const char* name) {
+        return m_window->findChild<T*>(QString::fromLatin1(name));
+    }
+    void key(Qt::Key which, Qt::KeyboardModifiers with = {}) { QTest::keyClick(m_window.get(), which, with); }
+
+    void openWindow() {
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+        m_window->activateWindow(); // keys go to the active window only
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    }
+
+    void openSample(const char* id) {
+        QSignalSpy opened(&document(), &Document::opened);
+        m_window->openSample(QString::fromLatin1(id));
+        QTRY_COMPARE(opened.count(), 1);
+    }
+
+    void begin(int lesson) {
+        QSignalSpy opened(&document(), &Document::opened);
+        panel().begin(lesson);
+        QTRY_COMPARE(opened.count(), 1);
+        QVERIFY(panel().running());
+    }
+
+    void markRange(int from, int to) {
+        auto& marks = child<StepPlayer>("stepPlayer")->marks();
+        document().setStep(to);
+        marks.setLoopFrom(from);
+        marks.setLoopTo(to);
+    }
+
+    void record(const QString& path) {
+        m_window->record(path);
+        QTRY_VERIFY_WITH_TIMEOUT(!child<QProgressDialog>("recordProgress"), 60000);
+    }
+
+    QString write(const char* name, const char* text) {
+        QFile file(m_folder.filePath(name));
+        if (file.open(QIODevice::WriteOnly)) {
+            file.write(text);
+        }
+        return file.fileName();
+    }
+
+    QTemporaryDir m_folder;
+    KeyGuard m_guard;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+} // namespace knittsim::ui
+
+QTEST_MAIN(knittsim::ui::TeachingTest)
+#include "teaching_test.moc"

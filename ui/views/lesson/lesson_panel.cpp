@@ -1,0 +1,198 @@
+#include "ui/views/lesson/lesson_panel.h"
+
+#include "core/base/resources.h"
+#include "ui/views/style/icons.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace knittsim::ui {
+
+namespace {
+
+QString inWords(const lesson::Words& words) {
+    return QString::fromStdString(words.in(QLocale().name().toStdString()));
+}
+
+QToolButton* makeButton(QWidget* parent, const char* name, const char* iconName, const QString& text,
+                        const QString& help) {
+    auto* button = new QToolButton(parent);
+    button->setObjectName(QString::fromLatin1(name));
+    button->setIcon(icon(QString::fromLatin1(iconName)));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setText(text);
+    button->setToolTip(help);
+    button->setAccessibleName(text);
+    return button;
+}
+
+} // namespace
+
+LessonPanel::LessonPanel(document::Document& document, QWidget* parent)
+    : QWidget(parent), m_document(document) {
+    setObjectName(QStringLiteral("lessonPanel"));
+    setAccessibleName(tr("Lesson"));
+    Diagnostics problems; // of files that come along: a test reads them
+    m_lessons = lesson::readLessons(resourceFolder() / "lessons", problems);
+    m_choice = new QComboBox(this);
+    m_choice->setObjectName(QStringLiteral("lessonChoice"));
+    m_choice->setAccessibleName(tr("Lessons"));
+    m_choice->setToolTip(tr("Begins a lesson"));
+    m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_choice->setMinimumContentsLength(12);
+    auto* open = makeButton(this, "lessonOpen", "open", {}, tr("Opens a lesson of your own (JSON)"));
+    open->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    open->setAccessibleName(tr("Open a lesson"));
+    m_title = new QLabel(this);
+    m_title->setObjectName(QStringLiteral("lessonTitle"));
+    m_title->setWordWrap(true);
+    m_text = new QLabel(this);
+    m_text->setObjectName(QStringLiteral("lessonText"));
+    m_text->setWordWrap(true);
+    m_text->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    QFont large = font();
+    large.setPointSizeF(1.5 * large.pointSizeF());
+    m_text->setFont(large);
+    large.setBold(true);
+    m_title->setFont(large);
+    auto* area = new QScrollArea(this);
+    area->setWidget(m_text);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    m_back = makeButton(this, "stopBack", "back", tr("Back"), tr("To the stop before (Page Up)"));
+    m_next = makeButton(this, "stopNext", "forward", tr("Next"), tr("To the next stop (Page Down)"));
+    m_place = new QLabel(this);
+    m_place->setToolTip(tr("Stop of the lesson"));
+    m_place->setAlignment(Qt::AlignCenter);
+
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_choice, 1);
+    top->addWidget(open);
+    auto* bottom = new QHBoxLayout;
+    bottom->addWidget(m_back);
+    bottom->addWidget(m_place, 1);
+    bottom->addWidget(m_next);
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(10, 8, 10, 8);
+    rows->addLayout(top);
+    rows->addWidget(m_title);
+    rows->addWidget(area, 1);
+    rows->addLayout(bottom);
+
+    connect(m_choice, &QComboBox::activated, this, [this](int row) { begin(row - 1); });
+    connect(open, &QToolButton::clicked, this, &LessonPanel::openWanted);
+    connect(m_back, &QToolButton::clicked, this, [this] { moveStop(-1); });
+    connect(m_next, &QToolButton::clicked, this, [this] { moveStop(+1); });
+    connect(&m_document, &document::Document::openFailed, this, [this] { m_waiting = false; });
+    listLessons();
+    showText();
+}
+
+void LessonPanel::listLessons() {
+    const QSignalBlocker quiet(m_choice);
+    m_choice->clear();
+    m_choice->addItem(tr("Choose a lesson"));
+    for (const lesson::Lesson& lesson : m_lessons) {
+        m_choice->addItem(inWords(lesson.title));
+        m_choice->setItemData(m_choice->count() - 1, inWords(lesson.summary), Qt::ToolTipRole);
+    }
+    m_choice->setCurrentIndex(m_lesson + 1);
+}
+
+const lesson::Lesson* LessonPanel::current() const {
+    return m_lesson >= 0 ? &m_lessons[static_cast<std::size_t>(m_lesson)] : nullptr;
+}
+
+void LessonPanel::begin(int index) {
+    if (index < 0 || index >= static_cast<int>(m_lessons.size())) {
+        return;
+    }
+    m_lesson = index;
+    m_stop = -1;
+    m_waiting = true;
+    listLessons();
+    const lesson::Lesson& lesson = *current();
+    if (lesson.sample.empty()) {
+        emit programWanted(QString::fromStdString(lesson.file.string()));
+    } else {
+        emit sampleWanted(QString::fromStdString(lesson.sample));
+    }
+}
+
+Diagnostics LessonPanel::openFile(const QString& path) {
+    auto lesson = lesson::readLesson(path.toStdString());
+    if (!lesson) {
+        return lesson.diagnostics();
+    }
+    std::erase_if(m_lessons, [&](const lesson::Lesson& old) { return old.id == lesson->id; });
+    m_lessons.push_back(std::move(lesson).value());
+    begin(static_cast<int>(m_lessons.size()) - 1);
+    return {};
+}
+
+void LessonPanel::takeProgram() {
+    const bool mine = std::exchange(m_waiting, false);
+    m_running = mine;
+    if (mine) {
+        emit begun();
+        showStop(0);
+    } else {
+        m_lesson = m_stop = -1;
+        listLessons();
+        showText();
+    }
+    emit runningChanged();
+}
+
+std::vector<machine::OperationIndex> LessonPanel::stopSteps() const {
+    std::vector<machine::OperationIndex> steps;
+    const auto file = m_document.file();
+    if (m_running && current() && file) {
+        for (const lesson::Stop& stop : current()->stops) {
+            steps.push_back(lesson::stepOf(stop.at, file->timeline->program(), file->courseEnds));
+        }
+    }
+    return steps;
+}
+
+QString LessonPanel::title() const {
+    return m_running && current() ? inWords(current()->title) : QString();
+}
+
+QString LessonPanel::textOf(int stop) const {
+    const lesson::Stop& at = current()->stops[static_cast<std::size_t>(stop)];
+    return inWords(at.title) + u'\n' + inWords(at.text);
+}
+
+void LessonPanel::showStop(int stop) {
+    if (!m_running || !current() || stop < 0 || stop >= static_cast<int>(current()->stops.size())) {
+        return;
+    }
+    m_stop = stop;
+    m_document.setStep(stopSteps()[static_cast<std::size_t>(stop)]);
+    showText();
+    emit stopShown(current()->stops[static_cast<std::size_t>(stop)].look);
+}
+
+void LessonPanel::showText() {
+    const bool shows = m_running && m_stop >= 0;
+    const auto count = shows ? static_cast<int>(current()->stops.size()) : 0;
+    m_title->setVisible(shows);
+    m_title->setText(shows ? inWords(current()->stops[static_cast<std::size_t>(m_stop)].title) : QString());
+    m_text->setText(shows ? inWords(current()->stops[static_cast<std::size_t>(m_stop)].text)
+                          : tr("A lesson opens its own program and stops where there is something to see."));
+    m_place->setText(shows ? tr("%1 of %2").arg(m_stop + 1).arg(count) : QString());
+    m_back->setEnabled(shows && m_stop > 0);
+    m_next->setEnabled(shows && m_stop + 1 < count);
+}
+
+} // namespace knittsim::ui
