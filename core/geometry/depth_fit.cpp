@@ -26,7 +26,6 @@ DepthFit::DepthFit(std::vector<Spline> splines, std::span<const std::array<float
       m_nodes(nodes.begin(), nodes.end()) {
     const std::size_t controls =
         m_splines.empty() ? 0 : at(m_splines.back().firstControl + m_splines.back().count) + 1;
-    m_moved.assign(controls, 0);
     m_movedAt.assign(controls + 2, 0);
 }
 
@@ -182,7 +181,6 @@ void DepthFit::move(const Spline& spline, std::int32_t control, float by) {
     if (by == 0 || within < 0 || within >= spline.count) {
         return;
     }
-    m_moved[at(control)] += by;
     m_movedAt[at(control)] = ++m_clock;
     const auto samples = static_cast<std::int32_t>(m_weights.size());
     for (std::int32_t k = 0; k < 4; ++k) {

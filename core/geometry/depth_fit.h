@@ -41,9 +41,6 @@ public:
 
     const std::vector<Vec3f>& nodes() const { return m_nodes; }
 
-    /// By control point: mm towards the front.
-    std::span<const float> moved() const { return m_moved; }
-
 private:
     struct Place {
         std::int32_t control = 0; ///< before it
@@ -61,7 +58,6 @@ private:
     std::vector<Spline> m_splines;
     std::vector<std::array<float, 4>> m_weights;
     std::vector<Vec3f> m_nodes;
-    std::vector<float> m_moved;
     std::vector<std::uint64_t> m_movedAt; ///< by control point, moves until then
     std::uint64_t m_clock = 1;            ///< moves so far
     std::vector<float> m_slope;           ///< of the length of the piece at hand, by its control points

@@ -39,6 +39,9 @@ private:
         std::vector<DepthFit::Order> orders;
         std::size_t wrong = 0;
     };
+    int fitDepth(const fabric::Fabric& fabric);
+    std::size_t raise(const std::vector<ProjectedCrossing>& crossings, const std::vector<std::int8_t>& order);
+    std::size_t controlAt(std::int32_t node) const;
     Orders ordersOf(const fabric::Fabric& fabric) const;
     std::vector<DepthFit::Spline> splines() const;
     float diameterAt(std::int32_t node) const;

@@ -285,8 +285,8 @@ TEST_F(Handled, ThickerYarnGoesOnFromTheShapeToTheSizeOfItsOwnFabric) {
     const geometry::Measurement own = measureInner(m_fabric, fresh);
     const geometry::Measurement swapped = measureInner(m_fabric, m_settling);
     // Of four by four stitches, which friction holds a little where they came from.
-    EXPECT_NEAR(swapped.waleSpacingMm / own.waleSpacingMm, 1, 0.06);
-    EXPECT_NEAR(swapped.courseSpacingMm / own.courseSpacingMm, 1, 0.06);
+    EXPECT_NEAR(swapped.waleSpacingMm / own.waleSpacingMm, 1, 0.1);
+    EXPECT_NEAR(swapped.courseSpacingMm / own.courseSpacingMm, 1, 0.1);
     EXPECT_NEAR(m_settling.yarns().chains.yarns.back().outerDiameter, 1.3, 1e-12);
 }
 

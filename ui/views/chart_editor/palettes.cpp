@@ -305,7 +305,7 @@ void CataloguePopup::addOwnActions() {
         });
         m_list->addAction(action);
     };
-    add(tr("&Rename your module\u2026"), Qt::Key_F2, renameOwnModule);
+    add(tr("&Rename your module\u2026"), Qt::CTRL | Qt::Key_F2, renameOwnModule);
     add(tr("&Delete your module\u2026"), Qt::CTRL | Qt::Key_Delete, removeOwnModule);
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
