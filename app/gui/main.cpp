@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QIcon>
+#include <QImageReader>
 #include <QSurfaceFormat>
 
 #include <cstdio>
@@ -30,11 +31,13 @@ struct Options {
     std::optional<document::Appearance> appearance;
 };
 
+constexpr int kMostMegabytes = 1024; ///< of a picture in memory
+
 std::optional<ui::Layout> layoutNamed(const QString& name) {
-    return name == QLatin1String("standard")   ? std::optional(ui::Layout::Standard)
-           : name == QLatin1String("teaching") ? std::optional(ui::Layout::Teaching)
-           : name == QLatin1String("checking") ? std::optional(ui::Layout::Checking)
-                                               : std::nullopt;
+    return name == QLatin1String("designer")  ? std::optional(ui::Layout::Standard)
+           : name == QLatin1String("teacher") ? std::optional(ui::Layout::Teaching)
+           : name == QLatin1String("qa")      ? std::optional(ui::Layout::Checking)
+                                              : std::nullopt;
 }
 
 std::optional<document::Appearance> appearanceNamed(const QString& name) {
@@ -56,8 +59,7 @@ std::optional<Options> parse(QApplication& application) {
                                     "ID or FILE");
     const QCommandLineOption language("language", "Language for this run: en or de.", "ID");
     const QCommandLineOption step("step", "Shows the machine after this many operations.", "N");
-    const QCommandLineOption layout("layout", "Arrangement of the panels: standard, teaching or checking.",
-                                    "NAME");
+    const QCommandLineOption layout("layout", "Arrangement of the panels: designer, teacher or qa.", "NAME");
     const QCommandLineOption look("appearance", "Colours for this run: system, light or dark.", "NAME");
     const QCommandLineOption reset("reset-settings", "Forgets all settings first.");
     const QCommandLineOption software("software-gl", "Draws without a graphics card.");
@@ -171,6 +173,7 @@ int main(int argc, char** argv) {
         ui::applyLanguage(application, *options->language);
     }
     ui::applyAppearance(application, options->appearance.value_or(document::Session().appearance()));
+    QImageReader::setAllocationLimit(kMostMegabytes);
     ui::KeyGuard guard;
     application.installEventFilter(&guard);
     Windows windows = openWindows(*options);

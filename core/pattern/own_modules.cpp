@@ -51,6 +51,9 @@ std::filesystem::path ownModuleFolder() {
     if (const auto own = variable("KNITTSIM_MODULES"); !own.empty()) {
         return own;
     }
+    if (const auto config = variable("KNITTSIM_CONFIG_DIR"); !config.empty()) {
+        return config / "modules";
+    }
     if (const auto config = variable("XDG_CONFIG_HOME"); !config.empty()) {
         return config / "knittsim" / "modules";
     }
@@ -61,11 +64,12 @@ std::filesystem::path ownModuleFolder() {
 std::vector<Module> readOwnModules(const std::filesystem::path& folder, Diagnostics& problems) {
     std::vector<Module> modules;
     std::error_code ignored; // no folder: no modules
-    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-        if (!isProjectFile(entry.path())) {
+    for (std::filesystem::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
+         entry.increment(ignored)) {
+        if (!isProjectFile(entry->path())) {
             continue;
         }
-        Result<Project> project = readProjectFile(entry.path());
+        Result<Project> project = readProjectFile(entry->path());
         if (!project) {
             for (Diagnostic found : project.diagnostics()) {
                 found.severity = Severity::Warning;
@@ -73,7 +77,7 @@ std::vector<Module> readOwnModules(const std::filesystem::path& folder, Diagnost
             }
             continue;
         }
-        const std::string name = entry.path().stem().string();
+        const std::string name = entry->path().stem().string();
         modules.push_back({"own/" + name, name, ModuleGroup::Texture, std::move(project).value().chart});
     }
     std::ranges::sort(modules, {}, &Module::name);

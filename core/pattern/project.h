@@ -32,7 +32,7 @@ struct Project {
 ///     ending     "held" or "dropped"
 ///     beds       "single" or "double"
 ///     wales      number of wales
-///     first_needle  of wale 0; missing: 1
+///     first_needle  of wale 0; missing: 1 (since version 2)
 ///     yarns      list of {carrier, colour "#rrggbb", library_id}
 ///     colourway  which of the colourways the yarns are, from 0; missing with these (since version 2)
 ///     colourways list of {name, yarns as above}, may be missing (since version 2)

@@ -43,7 +43,11 @@ Result<Yarn> importYarn(const std::filesystem::path& file, const std::filesystem
         return read;
     }
     Yarn yarn = std::move(read).value();
-    yarn.id = idOf(yarn.id);
+    const std::string id = idOf(yarn.id);
+    yarn.id = id;
+    for (int i = 2; isOwn(folder, yarn.id); ++i) { // none is replaced
+        yarn.id = id + '-' + std::to_string(i);
+    }
     Diagnostics problems = keepYarn(folder, yarn);
     return hasErrors(problems) ? Result<Yarn>::failure(std::move(problems)) : Result<Yarn>(yarn);
 }

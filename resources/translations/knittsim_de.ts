@@ -2366,6 +2366,10 @@ MIT licence. Copyright the KnittSim authors.</source>
         <translation>Noch ist nichts gewählt: setze Lesezeichen (Strg+B), markiere einen Teil (Umschalt+Pos1, Umschalt+Ende) oder beginne eine Lektion.</translation>
     </message>
     <message>
+        <source>An animation has %1 steps at most, and %2 are chosen: mark a shorter range, or record numbered pictures.</source>
+        <translation>Eine Animation hat höchstens %1 Schritte, gewählt sind %2: markiere einen kürzeren Teil oder zeichne nummerierte Bilder auf.</translation>
+    </message>
+    <message>
         <source>Recording %1 steps</source>
         <translation>%1 Schritte werden aufgezeichnet</translation>
     </message>
@@ -2736,6 +2740,10 @@ MIT licence. Copyright the KnittSim authors.</source>
     <message>
         <source>There is no step to record.</source>
         <translation>Es gibt keinen Schritt aufzuzeichnen.</translation>
+    </message>
+    <message>
+        <source>The program changed while it was recorded.</source>
+        <translation>Das Programm hat sich während der Aufzeichnung geändert.</translation>
     </message>
 </context>
 <context>

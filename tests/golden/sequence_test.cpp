@@ -87,6 +87,13 @@ TEST_F(PictureSequence, WhatIsThereStays) {
     EXPECT_EQ(entries(), 1U);
 }
 
+TEST_F(PictureSequence, WhatACrashLeftIsNoObstacle) {
+    fs::create_directories(m_parent / "frames.part1");
+    ASSERT_TRUE(writeSequence(m_parent / "frames", m_look, m_shapes));
+    EXPECT_TRUE(fs::exists(m_parent / "frames/0003.png"));
+    EXPECT_EQ(entries(), 2U);
+}
+
 TEST_F(PictureSequence, APictureThatCannotBeMadeLeavesNothing) {
     m_look.width = 0;
     EXPECT_FALSE(writeSequence(m_parent / "frames", m_look, m_shapes));

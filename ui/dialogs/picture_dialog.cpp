@@ -29,11 +29,9 @@ constexpr int kMostWales = 500;
 constexpr int kMostCourses = 1000;
 constexpr int kFirstWales = 60;
 constexpr int kMostColours = 8;
-constexpr int kMostMegabytes = 1024; ///< of a picture in memory
 
 /// Or why there is none.
 std::pair<std::shared_ptr<const pattern::Picture>, QString> pictureOf(const QString& path) {
-    QImageReader::setAllocationLimit(kMostMegabytes);
     QImageReader reader(path);
     reader.setAutoTransform(true);
     const QImage read = reader.read();

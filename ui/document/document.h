@@ -261,8 +261,10 @@ private:
     void replaceYarns(std::shared_ptr<const pattern::Project> changed);
     void applyColourways(const pattern::Colourways& colourways, const std::vector<pattern::ChartYarn>& yarns);
     void applyPatch(const pattern::ChartPatch& patch, bool forwards);
+    /// `whole`: the fabric of `file`, or that after its ladders have run.
     void exchangeProgram(const std::shared_ptr<const OpenedFile>& file,
-                         const std::vector<CarrierYarn>& carriers);
+                         const std::vector<CarrierYarn>& carriers,
+                         const std::shared_ptr<const fabric::Fabric>& whole);
     void rebuild();
     void takeRebuilt(const std::shared_ptr<const OpenedFile>& file);
     void update(const std::shared_ptr<const OpenedFile>& file);

@@ -27,9 +27,12 @@ void Document::editAsChart() {
 
 /// Machine data and its chart take each other's place: the fabric is the same, undo goes on.
 void Document::exchangeProgram(const std::shared_ptr<const OpenedFile>& file,
-                               const std::vector<CarrierYarn>& carriers) {
+                               const std::vector<CarrierYarn>& carriers,
+                               const std::shared_ptr<const fabric::Fabric>& whole) {
     m_rebuilder.cancel();
     exchangeFile(file);
+    m_whole = whole;
+    countLoops();
     m_project = m_knitted = file->project;
     m_carriers = carriers;
     m_step = operationCount();
@@ -98,10 +101,6 @@ void Document::editColourways(const QString& text,
 
 void Document::applyColourways(const pattern::Colourways& colourways,
                                const std::vector<pattern::ChartYarn>& yarns) {
-    auto changed = std::make_shared<pattern::Project>(*m_project);
-    changed->colourways = colourways;
-    changed->chart.yarns = yarns;
-    replaceYarns(std::move(changed));
     for (const pattern::ChartYarn& own : yarns) {
         const auto carrier = std::ranges::find(m_carriers, own.carrier, &CarrierYarn::carrier);
         if (carrier != m_carriers.end()) {
@@ -113,6 +112,11 @@ void Document::applyColourways(const pattern::Colourways& colourways,
             }
         }
     }
+    // Last, so that a yarn that the library does not know stays named as it was.
+    auto changed = std::make_shared<pattern::Project>(*m_project);
+    changed->colourways = colourways;
+    changed->chart.yarns = yarns;
+    replaceYarns(std::move(changed));
 }
 
 void Document::rebuild() {

@@ -2,6 +2,7 @@
 
 #include <QCryptographicHash>
 #include <QFile>
+#include <QFileInfo>
 
 namespace knittsim::document {
 
@@ -15,7 +16,11 @@ FileWatch::FileWatch(QObject* parent) : QObject(parent) {
     m_timer.setSingleShot(true);
     m_timer.setInterval(kQuietMs);
     connect(&m_watcher, &QFileSystemWatcher::fileChanged, &m_timer, qOverload<>(&QTimer::start));
-    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, &m_timer, qOverload<>(&QTimer::start));
+    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, &m_timer, [this] {
+        if (!m_timer.isActive()) { // a busy folder must not put the look off for ever
+            m_timer.start();
+        }
+    });
     connect(&m_timer, &QTimer::timeout, this, &FileWatch::look);
 }
 
@@ -28,10 +33,11 @@ void FileWatch::watch(const QString& path) {
     }
     m_path = path;
     m_known = fingerprint();
+    m_changed = false;
     if (!m_path.isEmpty()) {
         m_watcher.addPath(m_path);
         // A file that is replaced is a new one to the system; its folder tells when it comes.
-        m_watcher.addPath(m_path.section(u'/', 0, -2));
+        m_watcher.addPath(QFileInfo(m_path).absolutePath());
     }
 }
 
@@ -50,6 +56,7 @@ void FileWatch::look() {
     m_watcher.addPath(m_path);
     if (now != m_known) {
         m_known = now;
+        m_changed = true;
         emit changed();
     }
 }

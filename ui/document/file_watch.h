@@ -19,6 +19,7 @@ public:
     /// The file as it is now; an empty path ends it.
     void watch(const QString& path);
     QString path() const { return m_path; }
+    bool hasChanged() const { return m_changed; } ///< since watch()
 
 signals:
     void changed();
@@ -31,6 +32,7 @@ private:
     QTimer m_timer; ///< writers need a moment, and replace rather than write
     QString m_path;
     QByteArray m_known;
+    bool m_changed = false;
 };
 
 } // namespace knittsim::document

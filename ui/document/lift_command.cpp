@@ -8,7 +8,7 @@ namespace knittsim::document {
 
 LiftCommand::LiftCommand(Document& document, std::shared_ptr<const OpenedFile> lifted)
     : m_document(document), m_before(document.file()), m_carriersBefore(document.carriers()),
-      m_lifted(std::move(lifted)) {
+      m_fabricBefore(document.m_whole), m_lifted(std::move(lifted)) {
     setText(Document::tr("edit as chart"));
 }
 
@@ -20,14 +20,14 @@ void LiftCommand::redo() {
             carrier.yarn = before->yarn;
         }
     }
-    m_document.exchangeProgram(m_lifted, carriers);
+    m_document.exchangeProgram(m_lifted, carriers, m_lifted->fabric);
     for (const CarrierYarn& carrier : carriers) {
         m_document.putYarn(carrier.carrier, carrier.yarn);
     }
 }
 
 void LiftCommand::undo() {
-    m_document.exchangeProgram(m_before, m_carriersBefore);
+    m_document.exchangeProgram(m_before, m_carriersBefore, m_fabricBefore);
 }
 
 } // namespace knittsim::document

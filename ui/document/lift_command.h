@@ -22,6 +22,7 @@ private:
     Document& m_document;
     std::shared_ptr<const OpenedFile> m_before;
     std::vector<CarrierYarn> m_carriersBefore;
+    std::shared_ptr<const fabric::Fabric> m_fabricBefore; ///< without the ladders that have run
     std::shared_ptr<const OpenedFile> m_lifted;
 };
 

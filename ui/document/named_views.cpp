@@ -2,6 +2,7 @@
 
 #include <QCryptographicHash>
 #include <QDataStream>
+#include <QFileInfo>
 #include <QIODevice>
 
 #include <algorithm>
@@ -42,15 +43,28 @@ std::vector<NamedView> fromBytes(const QByteArray& bytes) {
     return views;
 }
 
+QString keyOf(const QString& path) {
+    if (path.isEmpty()) {
+        return {};
+    }
+    const QByteArray name = QFileInfo(path).absoluteFilePath().toUtf8();
+    const QByteArray hash = QCryptographicHash::hash(name, QCryptographicHash::Sha1);
+    return QStringLiteral("views/") + QString::fromLatin1(hash.toHex());
+}
+
 } // namespace
 
 void NamedViews::setFile(const QString& path) {
-    m_views.clear();
-    m_key.clear();
-    if (!path.isEmpty()) {
-        const QByteArray hash = QCryptographicHash::hash(path.toUtf8(), QCryptographicHash::Sha1);
-        m_key = QStringLiteral("views/") + QString::fromLatin1(hash.toHex());
-        m_views = fromBytes(m_session.value(m_key));
+    m_open = true;
+    m_key = keyOf(path);
+    m_views = m_key.isEmpty() ? std::vector<NamedView>() : fromBytes(m_session.value(m_key));
+}
+
+void NamedViews::moveTo(const QString& path) {
+    const QString key = keyOf(path);
+    if (key != m_key) {
+        m_key = key;
+        write();
     }
 }
 
@@ -61,7 +75,7 @@ const NamedView* NamedViews::find(const QString& name) const {
 
 bool NamedViews::save(const QString& name, const QByteArray& camera) {
     const QString wanted = name.trimmed();
-    if (wanted.isEmpty() || m_key.isEmpty()) {
+    if (wanted.isEmpty() || !m_open) {
         return false;
     }
     const auto found = std::ranges::find(m_views, wanted, &NamedView::name);
@@ -91,7 +105,9 @@ void NamedViews::remove(const QString& name) {
 }
 
 void NamedViews::write() {
-    m_session.setValue(m_key, toBytes(m_views));
+    if (!m_key.isEmpty()) {
+        m_session.setValue(m_key, toBytes(m_views));
+    }
 }
 
 } // namespace knittsim::document

@@ -21,8 +21,10 @@ class NamedViews {
 public:
     explicit NamedViews(Session& session) : m_session(session) {}
 
-    /// `path` of the file, else its title. Empty: no file, no views.
+    /// Empty: of what is not in a file, for which no views are remembered; moveTo() does.
     void setFile(const QString& path);
+    /// The same views, of what was saved there. Another file that they come from keeps its own.
+    void moveTo(const QString& path);
 
     const std::vector<NamedView>& views() const { return m_views; }
     const NamedView* find(const QString& name) const;
@@ -35,7 +37,8 @@ private:
     void write();
 
     Session& m_session;
-    QString m_key;
+    QString m_key;       ///< empty: not remembered
+    bool m_open = false; ///< there was a setFile(); before it nothing is saved
     std::vector<NamedView> m_views;
 };
 

@@ -11,6 +11,19 @@ void StepMarks::clear() {
     emit changed();
 }
 
+void StepMarks::endAt(Step end) {
+    const auto behind = m_bookmarks.upper_bound(end);
+    if (behind == m_bookmarks.end() && m_from <= end && m_to <= end) {
+        return;
+    }
+    m_bookmarks.erase(behind, m_bookmarks.end());
+    m_to = std::min(m_to, end);
+    if (m_from > end || m_from == m_to) {
+        m_from = m_to = kNone;
+    }
+    emit changed();
+}
+
 void StepMarks::toggleBookmark(Step step) {
     if (m_bookmarks.erase(step) == 0) {
         m_bookmarks.insert(step);

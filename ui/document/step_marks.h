@@ -23,6 +23,8 @@ public:
 
     /// Forgets what belongs to one program. Rules stay, but for the carrier.
     void clear();
+    /// The program has `end` operations now: forgets bookmarks behind them and shortens the range.
+    void endAt(Step end);
 
     const std::set<Step>& bookmarks() const { return m_bookmarks; }
     void toggleBookmark(Step step);

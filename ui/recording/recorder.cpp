@@ -20,6 +20,9 @@ Recorder::Recorder(document::Document& document, std::vector<RecordedStep> steps
 
 void Recorder::start() {
     m_before = m_document.step();
+    m_file = m_document.file();
+    std::erase_if(
+        m_steps, [last = m_document.operationCount()](const RecordedStep& step) { return step.step > last; });
     m_next = 0;
     m_readyLooks = 0;
     if (m_steps.empty()) {
@@ -37,6 +40,10 @@ void Recorder::cancel() {
 }
 
 void Recorder::look() {
+    if (m_file.lock() != m_document.file()) {
+        end(tr("The program changed while it was recorded."));
+        return;
+    }
     const RecordedStep& step = m_steps[m_next];
     const bool ready = m_document.step() == step.step && m_document.shownStep() == step.step && m_ready();
     m_readyLooks = ready ? m_readyLooks + 1 : 0;

@@ -6,6 +6,7 @@
 #include <QTimer>
 
 #include <functional>
+#include <memory>
 
 namespace knittsim::ui {
 
@@ -26,6 +27,7 @@ public:
     Recorder(document::Document& document, std::vector<RecordedStep> steps, std::unique_ptr<FrameSink> sink,
              std::function<bool()> ready, std::function<QImage()> picture, QObject* parent = nullptr);
 
+    /// Steps behind the end of the program are left out. Another program ends it, and nothing is written.
     void start();
     void cancel(); ///< nothing is written; ended() tells nothing of it
 
@@ -43,6 +45,7 @@ private:
     std::function<bool()> m_ready;
     std::function<QImage()> m_picture;
     QTimer m_timer;
+    std::weak_ptr<const document::OpenedFile> m_file; ///< that is recorded
     std::size_t m_next = 0;
     int m_readyLooks = 0; ///< in a row
     machine::OperationIndex m_before = 0;

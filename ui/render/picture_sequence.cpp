@@ -45,9 +45,9 @@ CameraState cameraFor(const RenderRequest& look, std::span<const simulation::Set
 /// A folder that goes again unless it was kept.
 class NewFolder {
 public:
-    explicit NewFolder(fs::path wanted) : m_wanted(std::move(wanted)), m_path(m_wanted) { m_path += ".part"; }
+    explicit NewFolder(fs::path wanted) : m_wanted(std::move(wanted)) {}
     ~NewFolder() {
-        if (!m_kept) {
+        if (m_made) {
             std::error_code ignored;
             fs::remove_all(m_path, ignored);
         }
@@ -58,19 +58,23 @@ public:
     Result<Written> make() {
         std::error_code error;
         if (fs::exists(m_wanted)) {
-            m_kept = true; // nothing of ours
             return problem("there is something of this name already");
         }
-        if (!fs::create_directories(m_path, error)) {
-            m_kept = true;
-            return problem(error ? error.message() : "the folder " + m_path.string() + " exists");
+        if (m_wanted.has_parent_path()) {
+            fs::create_directories(m_wanted.parent_path(), error);
         }
-        return Written{};
+        // One of these names may be left from a run that crashed.
+        for (int number = 1; !error && !m_made; ++number) {
+            m_path = m_wanted;
+            m_path += fmt::format(".part{}", number);
+            m_made = fs::create_directory(m_path, error);
+        }
+        return m_made ? Result<Written>(Written{}) : problem(error.message());
     }
     Result<Written> keep() {
         std::error_code error;
         fs::rename(m_path, m_wanted, error);
-        m_kept = !error;
+        m_made = static_cast<bool>(error);
         if (error) {
             return problem(error.message());
         }
@@ -86,7 +90,7 @@ private:
 
     fs::path m_wanted;
     fs::path m_path;
-    bool m_kept = false;
+    bool m_made = false; ///< m_path is there
 };
 
 } // namespace

@@ -58,7 +58,8 @@ void Gallery::build() {
     words->setSpacing(1);
     words->addWidget(makeText(page, tr("KnittSim"), 1.55, true));
     words->addWidget(
-        makeText(page, tr("Draw a new chart, open a chart or a machine program, or begin with a sample."), 1.0, false));
+        makeText(page, tr("Draw a new chart, open a chart or a machine program, or begin with a sample."),
+                 1.0, false));
     auto* fresh = new QPushButton(icon(QStringLiteral("new")), tr("New chart\u2026"), page);
     fresh->setObjectName(QStringLiteral("galleryNew"));
     fresh->setToolTip(tr("Draw a chart of your own (Ctrl+N)"));

@@ -52,12 +52,19 @@ QString firstLocalFile(const QMimeData* data) {
     return {};
 }
 
+/// It goes with the document from window to window, so that nothing is missed in between.
+document::FileWatch& watchOf(document::Document& document) {
+    auto* watch = document.findChild<document::FileWatch*>();
+    return watch ? *watch : *new document::FileWatch(&document);
+}
+
 } // namespace
 
 MainWindow::MainWindow(QWidget* parent) : MainWindow(std::make_unique<document::Document>(), parent) {}
 
 MainWindow::MainWindow(std::unique_ptr<document::Document> document, QWidget* parent)
-    : QMainWindow(parent), m_ownDocument(std::move(document)), m_document(*m_ownDocument) {
+    : QMainWindow(parent), m_ownDocument(std::move(document)), m_document(*m_ownDocument),
+      m_watch(watchOf(m_document)) {
     setObjectName(QStringLiteral("mainWindow"));
     setWindowTitle(tr("KnittSim"));
     setWindowIcon(applicationIcon());
@@ -74,12 +81,16 @@ MainWindow::MainWindow(std::unique_ptr<document::Document> document, QWidget* pa
     takeRecentFiles();
     takeActions();
     if (m_document.file()) {
-        takeTitle();
         takeChart();
-        showWorkspace();
-        m_fabric->setFabric(nullptr, {});
+        takeDocument();
         takeFabric();
+        takeFrame();
+        takePins();
         takeProblems();
+        takeDescription();
+        if (m_watch.hasChanged()) {
+            takeForeignChange();
+        }
     } else {
         showGallery();
         offerRecovery();
@@ -145,7 +156,8 @@ void MainWindow::connectDocument() {
     connect(&m_document, &Document::saved, this, [this] {
         takeTitle();
         m_watch.watch(m_document.path());
-        m_changedOutside = false;
+        m_views.moveTo(m_document.path());
+        movePhotograph();
     });
     connect(&m_watch, &document::FileWatch::changed, this, &MainWindow::takeForeignChange);
     connect(m_document.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::takeTitle);
@@ -164,15 +176,7 @@ void MainWindow::connectDocument() {
         m_nothingRuns = nothingRunsText(m_document);
         m_banner->showMessage(Banner::Kind::Note, m_nothingRuns);
     });
-    connect(&m_document, &Document::activityChanged, this, [this] {
-        const auto file = m_document.file();
-        m_fabric->setAccessibleDescription(file ? tr("%1 columns, %2 courses, %3, %4 problems")
-                                                      .arg(file->grid->columnCount())
-                                                      .arg(file->grid->courseCount())
-                                                      .arg(activityWord(m_document.activity()))
-                                                      .arg(m_document.problems().size())
-                                                : QString());
-    });
+    connect(&m_document, &Document::activityChanged, this, &MainWindow::takeDescription);
     connect(&m_document, &Document::problemsChanged, this, &MainWindow::saveChecks);
     connect(&m_document, &Document::machineChanged, this, &MainWindow::saveChecks);
     connect(m_problems, &DiagnosticsPanel::reportWanted, this, &MainWindow::chooseReportFile);
@@ -187,14 +191,11 @@ void MainWindow::connectDocument() {
 void MainWindow::connectFabric() {
     using document::Document;
     connect(&m_document, &Document::frameShown, this, [this] {
-        m_fabric->setFollowing(m_document.step() == m_document.operationCount() && !m_document.laddersRun());
-        m_fabric->setFrame(m_document.shownFrame());
-        m_fabric->setNeedles(m_document.needleHooks());
-        takeYarnRun();
+        takeFrame();
         m_status->setRenderer(m_fabric->hasOpenGl() ? m_fabric->rendererName() : tr("Qt, flat"));
     });
     connect(&m_document, &Document::yarnRunChanged, this, &MainWindow::takeYarnRun);
-    connect(&m_document, &Document::pinsChanged, this, [this] { m_fabric->setPins(m_document.pins()); });
+    connect(&m_document, &Document::pinsChanged, this, &MainWindow::takePins);
     connect(&m_document, &Document::yarnsChanged, this,
             [this] { m_fabric->setLooks(looksOf(m_document.carriers())); });
     connect(&m_document, &Document::selectionChanged, this, [this] {
@@ -226,6 +227,27 @@ void MainWindow::connectFabric() {
             [this](const QString& reason) { m_banner->showMessage(Banner::Kind::Note, reason); });
 }
 
+void MainWindow::takeDescription() {
+    const auto file = m_document.file();
+    m_fabric->setAccessibleDescription(file ? tr("%1 columns, %2 courses, %3, %4 problems")
+                                                  .arg(file->grid->columnCount())
+                                                  .arg(file->grid->courseCount())
+                                                  .arg(activityWord(m_document.activity()))
+                                                  .arg(m_document.problems().size())
+                                            : QString());
+}
+
+void MainWindow::takeFrame() {
+    m_fabric->setFollowing(m_document.step() == m_document.operationCount() && !m_document.laddersRun());
+    m_fabric->setFrame(m_document.shownFrame());
+    m_fabric->setNeedles(m_document.needleHooks());
+    takeYarnRun();
+}
+
+void MainWindow::takePins() {
+    m_fabric->setPins(m_document.pins());
+}
+
 void MainWindow::takeYarnRun() {
     m_fabric->setYarn(m_document.showsYarn() ? m_document.yarnRun().shape()->picture : nullptr);
 }
@@ -249,19 +271,28 @@ void MainWindow::openSample(const QString& id) {
 
 void MainWindow::takeFile() {
     const document::OpenRequest& request = m_document.file()->request;
-    takeTitle();
     m_watch.watch(m_document.path());
-    m_changedOutside = false;
     if (!request.path.isEmpty()) {
         m_session.addRecentFile(request.path);
         takeRecentFiles();
     }
     m_banner->hide();
-    m_fabric->setFabric(nullptr, {}); // an empty view fits the next fabric
-    showWorkspace();
+    takeDocument();
     takeActions();
     m_lesson->takeProgram();
     startSoon();
+}
+
+/// A file that was opened, or that another window has had before.
+void MainWindow::takeDocument() {
+    takeTitle();
+    if (m_watch.path() != m_document.path()) {
+        m_watch.watch(m_document.path());
+    }
+    recallViews();
+    recallPhotograph();
+    m_fabric->setFabric(nullptr, {}); // an empty view fits the next fabric
+    showWorkspace();
 }
 
 void MainWindow::startSoon() {

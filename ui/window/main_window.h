@@ -90,10 +90,14 @@ private:
     void connectDocument();
     void connectFabric();
     void takeFile();
+    void takeDocument();
     void takeFailure();
     void startSoon();
     void takeFabric();
+    void takeFrame();
+    void takePins();
     void takeYarnRun();
+    void takeDescription();
     void takeProblems();
     void showPlace(const Diagnostic& problem);
     void showLine(int line);
@@ -159,6 +163,7 @@ private:
     // main_window_views.cpp
     void buildViewsMenu(QMenu* view);
     void takeViews();
+    void recallViews();
     void saveView();
     void recallView(const QString& name);
     void manageViews();
@@ -171,6 +176,7 @@ private:
     void alignPhotograph();
     void recallPhotograph();
     void rememberPhotograph();
+    void movePhotograph();
 
     // main_window_docks.cpp
     void buildDocks();
@@ -205,8 +211,7 @@ private:
     std::unique_ptr<document::Document> m_ownDocument;
     document::Document& m_document;
     document::Session m_session;
-    document::FileWatch m_watch;
-    bool m_changedOutside = false; ///< since the file was opened or saved
+    document::FileWatch& m_watch; ///< of the document, which owns it
     ChartLook m_look;
     document::NamedViews m_views{m_session}; ///< of the open file
     QWidget* m_workspace = nullptr;
@@ -216,7 +221,8 @@ private:
     FabricView* m_fabric = nullptr;
     Comparison* m_comparison = nullptr; ///< has the fabric, and what lies beside it
     PhotographCard* m_photograph = nullptr;
-    QString m_photographKey; ///< what is remembered of the photograph; empty while nothing is open
+    QString m_photographKey;  ///< what is remembered of it; empty for what is not in a file
+    int m_photographTurn = 0; ///< counts the files that have come
     HistoryCard* m_history = nullptr;
     StepPlayer* m_player = nullptr;
     PatternGrid* m_grid = nullptr;
@@ -247,6 +253,7 @@ private:
     QMenu* m_viewsMenu = nullptr;
     std::size_t m_problemsShown = 0; ///< errors and warnings
     QString m_nothingRuns;           ///< what the banner last said about ladders
+    QString m_liftedNote;            ///< what it last said about machine data that became a chart
     QByteArray m_arrangement;        ///< of the docks while a file is open; empty: m_layout as it comes
     Layout m_layout = Layout::Standard;
 };

@@ -117,6 +117,7 @@ void MainWindow::takeLifted() {
             text += u' ' + document::causeText(note) + u' ' + document::cureText(note);
         }
     }
+    m_liftedNote = text;
     m_banner->showMessage(Banner::Kind::Note, text);
 }
 
@@ -129,6 +130,9 @@ void MainWindow::takeChart() {
     }
     findChild<QAction*>(QStringLiteral("actionEditAsChart"))
         ->setEnabled(!chart && m_document.file() != nullptr);
+    if (!chart && m_banner->text() == m_liftedNote) {
+        m_banner->hide(); // undone
+    }
     takeTitle();
 }
 
@@ -198,7 +202,7 @@ bool MainWindow::saveChartAs() {
 }
 
 bool MainWindow::saveChartTo(const QString& path) {
-    if (m_changedOutside && path == m_document.path() &&
+    if (m_watch.hasChanged() && path == m_document.path() &&
         QMessageBox::question(
             this, tr("Save the chart"),
             tr("Another program has changed %1 since it was opened. Replace it with what is here?")
@@ -249,6 +253,10 @@ void MainWindow::exportMachineData() {
             tr("The machine data cannot be written. %1").arg(document::causeText(problems.front())));
         return;
     }
+    if (!m_document.path().isEmpty() &&
+        QFileInfo(path).absoluteFilePath() == QFileInfo(m_document.path()).absoluteFilePath()) {
+        m_watch.watch(m_document.path()); // no other program has
+    }
     m_session.setLastFolder(QFileInfo(path).absolutePath());
     statusBar()->showMessage(tr("Machine data written to %1").arg(path), 5000);
 }
@@ -294,6 +302,7 @@ void MainWindow::exportChart() {
     }
     const ChartSheet sheet{.title = m_document.title(),
                            .chart = m_document.project()->chart,
+                           .firstNeedle = m_document.project()->firstNeedle,
                            .symbols = m_look.symbols(),
                            .yarns = sheetYarns(m_document)};
     QProgressDialog progress(tr("Drawing the chart\u2026"), tr("Cancel"), 0, 0, this);
@@ -354,7 +363,6 @@ void MainWindow::restore(const document::Recovery::Leftover& leftover,
 }
 
 void MainWindow::takeForeignChange() {
-    m_changedOutside = true;
     const QString name = QFileInfo(m_watch.path()).fileName();
     m_banner->ask(
         m_document.isModified()

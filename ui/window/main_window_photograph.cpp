@@ -33,6 +33,16 @@ QImage readPhotograph(const QString& path, QString& reason) {
     return image.isNull() ? image : image.convertToFormat(QImage::Format_ARGB32_Premultiplied);
 }
 
+/// Under what the session remembers the photograph of a file; empty for what is not in one.
+QString keyOf(const QString& path) {
+    if (path.isEmpty()) {
+        return {};
+    }
+    const QByteArray name = QFileInfo(path).absoluteFilePath().toUtf8();
+    return QStringLiteral("photographs/") +
+           QString::fromLatin1(QCryptographicHash::hash(name, QCryptographicHash::Sha1).toHex());
+}
+
 } // namespace
 
 void MainWindow::buildPhotographMenu(QMenu* view) {
@@ -57,7 +67,6 @@ void MainWindow::buildPhotographMenu(QMenu* view) {
         rememberPhotograph();
         takePhotographActions();
     });
-    connect(&m_document, &document::Document::opened, this, &MainWindow::recallPhotograph);
 }
 
 void MainWindow::takePhotographActions() {
@@ -82,11 +91,11 @@ void MainWindow::choosePhotograph() {
 /// In the background. One whose place is not known yet is laid on the fabric.
 void MainWindow::openPhotograph(Photograph wanted) {
     QThreadPool::globalInstance()->start(
-        [guard = QPointer<MainWindow>(this), key = m_photographKey, wanted = std::move(wanted)]() mutable {
+        [guard = QPointer<MainWindow>(this), turn = m_photographTurn, wanted = std::move(wanted)]() mutable {
             QString reason;
             wanted.image = readPhotograph(wanted.path, reason);
-            QMetaObject::invokeMethod(qApp, [guard, key, wanted = std::move(wanted), reason]() mutable {
-                if (!guard || guard->m_photographKey != key) {
+            QMetaObject::invokeMethod(qApp, [guard, turn, wanted = std::move(wanted), reason]() mutable {
+                if (!guard || guard->m_photographTurn != turn) {
                     return; // gone, or of another file
                 }
                 if (wanted.image.isNull()) {
@@ -109,15 +118,16 @@ void MainWindow::alignPhotograph() {
     m_fabric->setFocus();
 }
 
-/// Each file has its own.
+/// Each file has its own; what is not in a file has one only while it is open.
 void MainWindow::recallPhotograph() {
-    const QString name = m_document.path().isEmpty() ? m_document.title() : m_document.path();
+    ++m_photographTurn;
     m_photographKey.clear(); // the next line is not to be remembered
     m_fabric->cancelAlignment();
     m_fabric->setPhotograph({});
-    m_photographKey =
-        QStringLiteral("photographs/") +
-        QString::fromLatin1(QCryptographicHash::hash(name.toUtf8(), QCryptographicHash::Sha1).toHex());
+    m_photographKey = keyOf(m_document.path());
+    if (m_photographKey.isEmpty()) {
+        return;
+    }
     if (const auto known = photographFromBytes(m_session.value(m_photographKey));
         known && QFileInfo::exists(known->path)) {
         openPhotograph(*known);
@@ -128,6 +138,15 @@ void MainWindow::rememberPhotograph() {
     if (!m_photographKey.isEmpty()) {
         const Photograph& photograph = m_fabric->photograph();
         m_session.setValue(m_photographKey, photograph.image.isNull() ? QByteArray() : toBytes(photograph));
+    }
+}
+
+/// What was saved under another name takes its photograph along; the other file keeps its own.
+void MainWindow::movePhotograph() {
+    const QString key = keyOf(m_document.path());
+    if (key != m_photographKey) {
+        m_photographKey = key;
+        rememberPhotograph();
     }
 }
 

@@ -24,6 +24,7 @@ namespace {
 constexpr int kStopMs = 4000;
 constexpr double kFastest = 25; ///< operations a second
 constexpr double kSlowest = 0.5;
+constexpr std::size_t kMostFrames = 2000; ///< of an animation, which is held in memory until it is written
 
 } // namespace
 
@@ -74,6 +75,14 @@ void MainWindow::chooseRecording(const QString& title, const QString& filter, co
             Banner::Kind::Note,
             tr("Nothing is chosen yet: set bookmarks (Ctrl+B), mark a range (Shift+Home, Shift+End) "
                "or begin a lesson."));
+        return;
+    }
+    if (extension == QLatin1String(".webp") && stepsToRecord().size() > kMostFrames) {
+        m_banner->showMessage(Banner::Kind::Note,
+                              tr("An animation has %1 steps at most, and %2 are chosen: mark a "
+                                 "shorter range, or record numbered pictures.")
+                                  .arg(kMostFrames)
+                                  .arg(stepsToRecord().size()));
         return;
     }
     const QString name = QFileInfo(m_document.title()).completeBaseName() + extension;

@@ -16,10 +16,11 @@ void MainWindow::buildViewsMenu(QMenu* view) {
     addAction(m_viewsMenu, "actionManageViews", tr("&Rename or delete\u2026"), Qt::SHIFT | Qt::Key_V, {},
               [this] { manageViews(); });
     m_viewsMenu->addSeparator();
-    connect(&m_document, &document::Document::opened, this, [this] {
-        m_views.setFile(m_document.path().isEmpty() ? m_document.title() : m_document.path());
-        takeViews();
-    });
+    takeViews();
+}
+
+void MainWindow::recallViews() {
+    m_views.setFile(m_document.path());
     takeViews();
 }
 

@@ -108,6 +108,22 @@ TEST(StepMarks, ARangeIsPlayedAgainAfterItsEndWasShown) {
     EXPECT_EQ(marks.loopFrom(), StepMarks::kNone);
 }
 
+TEST(StepMarks, AShorterProgramTakesTheMarksBehindItsEnd) {
+    StepMarks marks;
+    marks.setBookmarks({2, 5, 9});
+    marks.setLoopFrom(3);
+    marks.setLoopTo(9);
+    marks.endAt(5);
+    EXPECT_EQ(marks.bookmarks(), (std::set<StepMarks::Step>{2, 5}));
+    EXPECT_EQ(marks.loopFrom(), 3);
+    EXPECT_EQ(marks.loopTo(), 5);
+    EXPECT_EQ(marks.play({}, 5, 1, 5).step, 3) << "the range is still played again";
+    marks.endAt(3);
+    EXPECT_FALSE(marks.loops());
+    EXPECT_EQ(marks.loopFrom(), StepMarks::kNone);
+    EXPECT_EQ(marks.bookmarks().size(), 1U);
+}
+
 TEST(StepMarks, BookmarksAreWalkedInOrder) {
     StepMarks marks;
     for (const int step : {9, 3, 6}) {

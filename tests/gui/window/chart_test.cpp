@@ -99,6 +99,7 @@ private slots:
         QCOMPARE(operationCount(), operations + 1);    // the colour of the yarn is said
         QVERIFY(chart().course(1).program != nullptr); // the pause
         QVERIFY(child<Banner>("banner")->text().contains(QStringLiteral("1 of 3 courses")));
+        QVERIFY(child<Banner>("banner")->isVisible());
         QVERIFY(!lift->isEnabled());
         document().editChart(QStringLiteral("purl"),
                              [](pattern::Chart& edited) { edited.at(1, 1).stitch = Stitch::Purl; });
@@ -107,6 +108,7 @@ private slots:
         document().undoStack()->undo();
         document().undoStack()->undo();
         QVERIFY(!document().project());
+        QVERIFY2(!child<Banner>("banner")->isVisible(), "it says that this is a chart");
         QCOMPARE(operationCount(), operations);
         QVERIFY(lift->isEnabled());
         document().undoStack()->redo();
@@ -430,6 +432,52 @@ private slots:
         QVERIFY(m_window->isWindowModified());
     }
 
+    void anotherWindowWithTheDocumentKnowsOfForeignChanges() {
+        newChart(6, 6);
+        const QString path = m_folder.filePath("handed.knitt");
+        QVERIFY(!hasErrors(document().save(path)));
+        const auto writeOther = [&](int wales) {
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(QByteArray::fromStdString(pattern::writeProject(project(wales))));
+        };
+        const auto isTold = [&] { return child<Banner>("banner")->text().contains("handed.knitt"); };
+        handOver();
+        QVERIFY(!isTold());
+        writeOther(9);
+        QTRY_VERIFY2(isTold(), "it came after the other window");
+        handOver();
+        QVERIFY2(isTold(), "it came before the other window");
+        open([&] { child<QPushButton>("bannerAction")->click(); });
+        QCOMPARE(chart().width, 9);
+        QVERIFY(!child<Banner>("banner")->isVisible());
+    }
+
+    void viewsBelongToTheFile() {
+        const auto hasView = [&] { return m_window->findChild<QAction*>("actionView_Edge") != nullptr; };
+        newChart(6, 6);
+        child<QAction>("actionSaveView")->trigger();
+        auto* dialog = child<QInputDialog>("saveViewDialog");
+        dialog->setTextValue("Edge");
+        dialog->accept();
+        QVERIFY(hasView());
+        newChart(6, 6);
+        QVERIFY2(!hasView(), "another chart of the same title");
+        child<QAction>("actionSaveView")->trigger();
+        dialog = child<QInputDialog>("saveViewDialog");
+        dialog->setTextValue("Edge");
+        dialog->accept();
+        const QString path = m_folder.filePath("views.knitt");
+        QVERIFY(!hasErrors(document().save(path)));
+        QVERIFY(hasView());
+        newChart(6, 6);
+        QVERIFY(!hasView());
+        open([&] { m_window->openFile(path); });
+        QVERIFY(hasView());
+        handOver();
+        QVERIFY(hasView());
+    }
+
     void aThumbnailIsInTheFile() {
         newChart(12, 10);
         const QString path = m_folder.filePath("picture.knitt");
@@ -486,6 +534,13 @@ private:
         project->chart.yarns = {{"1", {}, "merino-2-30"}};
         open([&] { document().openProject("new", project); });
         canvas()->setTool(ChartTool::Pencil);
+    }
+
+    /// As when the language changes.
+    void handOver() {
+        auto next = std::make_unique<MainWindow>(m_window->releaseDocument());
+        m_window = std::move(next);
+        m_window->show();
     }
 
     /// Middle of a cell in the viewport.

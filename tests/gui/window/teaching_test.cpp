@@ -106,6 +106,33 @@ private slots:
         QVERIFY(child<QDockWidget>("sourceDock")->isVisible());
     }
 
+    void aLessonThatDoesNotComeLeavesTheNextFileAlone() {
+        begin(0);
+        const std::string id = panel().current()->id;
+        panel().begin(1);
+        document().cancelOpening();
+        QVERIFY(panel().running());
+        QCOMPARE(panel().current()->id, id);
+        openSample("plain");
+        QVERIFY(!panel().running());
+        panel().begin(1);
+        openSample("plain"); // overtakes it
+        QVERIFY(!panel().running());
+        QVERIFY(!panel().current());
+    }
+
+    void aLessonEndsWhereItsProgramBecomesAChart() {
+        write("program.k", ";!knitout-2\n;;Carriers: 1\nin 1\nknit + f1 1\nknit + f2 1\nout 1\n");
+        const QString own = write(
+            "mine.json", R"({"title": {"en": "Mine"}, "summary": {"en": "S"}, "file": "program.k", "stops": [
+                {"at": {"line": 5}, "title": {"en": "Here"}, "text": {"en": "Look"}, "look": "source"}]})");
+        m_window->openLesson(own);
+        QTRY_VERIFY(panel().running());
+        emit document().lifted(); // whether these few stitches make a chart is not what is tested
+        QVERIFY(!panel().running());
+        QVERIFY(panel().stopSteps().empty());
+    }
+
     void layoutsHaveAKeyEachAndAreRemembered() {
         openSample("plain");
         key(Qt::Key_F7);
@@ -274,6 +301,22 @@ private slots:
             QCOMPARE(document().step(), 300);
         }
         QCOMPARE(QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden), before);
+    }
+
+    void anAnimationThatIsTooLongIsRefused() {
+        openSample("plain");
+        markRange(0, 2000); // 2001 steps
+        child<QAction>("actionRecordAnimation")->trigger();
+        QVERIFY(child<Banner>("banner")->text().contains("shorter range"));
+    }
+
+    void stepsBehindTheEndAreNotWaitedFor() {
+        openSample("plain");
+        const int end = document().operationCount();
+        child<StepPlayer>("stepPlayer")->marks().setBookmarks({end - 1, end, end + 5});
+        const QString folder = m_folder.filePath("ends");
+        record(folder);
+        QCOMPARE(QDir(folder).entryList(QDir::Files), (QStringList{"00001.png", "00002.png"}));
     }
 
     void aFolderThatIsThereIsNotTouched() {

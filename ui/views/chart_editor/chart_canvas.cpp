@@ -44,6 +44,7 @@ ChartCanvas::ChartCanvas(document::Document& document, ChartLook& look, QWidget*
     connect(&m_document, &document::Document::problemsChanged, this, repaint);
     connect(&m_document, &document::Document::selectionChanged, this, &ChartCanvas::showSelected);
     takeChart();
+    takeFacts();
 }
 
 void ChartCanvas::takeChart() {
@@ -57,7 +58,8 @@ void ChartCanvas::takeChart() {
     }
     m_cursor = {std::clamp(m_cursor.wale, 0, std::max(0, chart.width - 1)),
                 std::clamp(m_cursor.course, 0, std::max(0, chart.height() - 1))};
-    setChart(chart.width, chart.height(), chart.beds == pattern::BedUse::Double, 1);
+    setChart(chart.width, chart.height(), chart.beds == pattern::BedUse::Double,
+             m_project ? m_project->firstNeedle : 1);
     takeNotes();
 }
 
@@ -423,8 +425,10 @@ QString ChartCanvas::textOf(CellPlace place) const {
         return {};
     }
     const pattern::Cell& cell = chart.at(place.wale, place.course);
-    QString text =
-        tr("Wale %1, course %2: %3").arg(place.wale + 1).arg(place.course + 1).arg(stitchName(cell.stitch));
+    QString text = tr("Needle %1, course %2: %3")
+                       .arg(place.wale + m_project->firstNeedle)
+                       .arg(place.course + 1)
+                       .arg(stitchName(cell.stitch));
     if (pattern::isWorked(cell.stitch) && cell.yarn < chart.yarns.size()) {
         text += tr(", carrier %1").arg(QString::fromStdString(chart.yarns[cell.yarn].carrier));
     }

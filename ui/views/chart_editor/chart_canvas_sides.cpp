@@ -176,7 +176,9 @@ void ChartCanvas::editNumber(SidePlace place) {
         rect, text, range,
         [this, courses, racking](std::optional<double> value) {
             m_document.editChart(racking ? tr("racking") : tr("stitch size"), [&](Chart& chart) {
-                for (int c = courses.course; c < courses.course + courses.height; ++c) {
+                // The chart may have got shorter while the number was typed.
+                const int end = std::min(courses.course + courses.height, chart.height());
+                for (int c = courses.course; c < end; ++c) {
                     if (racking) {
                         chart.course(c).rack = static_cast<int>(value.value_or(0));
                     } else {

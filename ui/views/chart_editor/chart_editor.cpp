@@ -61,11 +61,13 @@ ChartEditor::ChartEditor(document::Document& document, ChartLook& look, QWidget*
     connect(m_catalogue, &CataloguePopup::problemFound, m_hint, &QLabel::setText);
     connect(m_canvas, &ChartCanvas::hovered, m_hint, &QLabel::setText);
     connect(&m_document, &document::Document::chartFollowed, this, &ChartEditor::takeFollowing);
-    connect(&m_document, &document::Document::chartChanged, this, [this] {
+    const auto takeBeds = [this] {
         const auto project = m_document.project();
         m_stitches->setBothAllowed(project && project->chart.beds == pattern::BedUse::Double);
-    });
+    };
+    connect(&m_document, &document::Document::chartChanged, this, takeBeds);
     m_stitches->choose(pattern::Stitch::Purl);
+    takeBeds();
     takeBrush();
 }
 

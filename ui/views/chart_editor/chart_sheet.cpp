@@ -86,7 +86,7 @@ Diagnostics writeChartPdf(const ChartSheet& sheet, const QString& path, const Sh
                 }
                 const CellRange& part = parts[static_cast<std::size_t>(i)];
                 pdf.newPage();
-                sheetPainter.paintTitle(page, SheetPainter::partText(part, i + 2, pages));
+                sheetPainter.paintTitle(page, sheetPainter.partText(part, i + 2, pages));
                 sheetPainter.paintChart(area, part,
                                         std::min(kLargestCell, sheetPainter.fittingCell(area.size(), part)));
             }

@@ -26,6 +26,7 @@ struct SheetYarn {
 struct ChartSheet {
     QString title;
     pattern::Chart chart;
+    int firstNeedle = 1; ///< of wale 0
     SymbolSet symbols = SymbolSet::Faces;
     std::vector<SheetYarn> yarns; ///< in the order of Chart::yarns
 };

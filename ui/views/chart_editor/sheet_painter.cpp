@@ -111,10 +111,10 @@ void SheetPainter::paintLegend(const QRectF& rect) {
     }
 }
 
-QString SheetPainter::partText(CellRange range, int page, int pages) {
-    return tr("Wales %1 to %2, courses %3 to %4 \u2013 page %5 of %6")
-        .arg(range.wale + 1)
-        .arg(range.wale + range.width)
+QString SheetPainter::partText(CellRange range, int page, int pages) const {
+    return tr("Needles %1 to %2, courses %3 to %4 \u2013 page %5 of %6")
+        .arg(range.wale + m_sheet.firstNeedle)
+        .arg(range.wale + m_sheet.firstNeedle + range.width - 1)
         .arg(range.course + 1)
         .arg(range.course + range.height)
         .arg(page)
@@ -220,11 +220,12 @@ void SheetPainter::paintNumbers(CellRange range, QPointF corner, double cell) {
     }
     const int waleStep = stepOf(cell, m_side);
     for (int wale = range.wale; wale < range.wale + range.width; ++wale) {
-        if ((wale + 1) % waleStep == 0) {
+        const int needle = wale + m_sheet.firstNeedle;
+        if (needle % waleStep == 0) {
             const double left = corner.x() + (wale - range.wale + 0.5) * cell - m_side;
             for (const double top : {corner.y() - kNumber + 1, corner.y() + range.height * height + 1}) {
                 m_painter.drawText(QRectF(left, top, 2 * m_side, kNumber - 2), Qt::AlignCenter,
-                                   QString::number(wale + 1));
+                                   QString::number(needle));
             }
         }
     }

@@ -29,7 +29,7 @@ public:
                     const SheetProgress& progress = {});
     void paintLegend(const QRectF& rect);
 
-    static QString partText(pattern::CellRange range, int page, int pages);
+    QString partText(pattern::CellRange range, int page, int pages) const;
 
 private:
     double rowHeight(double cell) const;

@@ -299,12 +299,15 @@ void Overlay::paintScale(QPainter& painter) const {
     constexpr int kAboveWidth = 26; // the width of a fabric that fills the view stands below
     const double y = height() - kMargin - (m_annotations.dimensions ? kAboveWidth : 0);
     const QString text = tr("%1 mm").arg(QLocale().toString(millimetres, 'g', 6));
-    painter.setPen(QPen(ink(), 2));
-    painter.drawPolyline(
-        QPolygonF({{right - pixels, y - 6}, {right - pixels, y}, {right, y}, {right, y - 6}}));
-    painter.drawText(
-        QRectF(right - pixels - 100, y - 8 - fontMetrics().height(), pixels + 200, fontMetrics().height()),
-        Qt::AlignHCenter, text);
+    const QPolygonF bar({{right - pixels, y - 6}, {right - pixels, y}, {right, y}, {right, y - 6}});
+    painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {QPen(ground(), 5), QPen(ink(), 2)}) { // the fabric may lie behind
+        painter.setPen(pen);
+        painter.drawPolyline(bar);
+    }
+    QRectF label(QPointF(), QSizeF(fontMetrics().size(Qt::TextSingleLine, text)));
+    label.moveCenter({right - pixels / 2, y - 8 - fontMetrics().height() / 2.0});
+    paintLabel(painter, label, text);
 }
 
 void Overlay::paintAxes(QPainter& painter) const {
@@ -335,12 +338,16 @@ void Overlay::paintAxes(QPainter& painter) const {
         label.moveCenter(tip +
                          QPointF((6 + size.width() / 2) * along.x(), (4 + size.height() / 2) * along.y()));
         label.moveLeft(std::max<double>(2, label.left()));
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(ground());
-        painter.drawRoundedRect(label.adjusted(-3, 0, 3, 0), 4, 4); // a dimension may pass here
-        painter.setPen(ink());
-        painter.drawText(label, Qt::AlignCenter, axis.name);
+        paintLabel(painter, label, axis.name); // a dimension may pass here
     }
+}
+
+void Overlay::paintLabel(QPainter& painter, const QRectF& rect, const QString& text) const {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ground());
+    painter.drawRoundedRect(rect.adjusted(-3, 0, 3, 0), 4, 4);
+    painter.setPen(ink());
+    painter.drawText(rect, Qt::AlignCenter, text);
 }
 
 void Overlay::paintMessage(QPainter& painter) const {

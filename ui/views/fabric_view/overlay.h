@@ -45,6 +45,7 @@ private:
     void paintMark(QPainter& painter) const;
     void paintScale(QPainter& painter) const;
     void paintAxes(QPainter& painter) const;
+    void paintLabel(QPainter& painter, const QRectF& rect, const QString& text) const;
     void paintMessage(QPainter& painter) const;
     QColor ink() const { return overlayInk(m_content.dark).ink; }
     QColor ground() const { return overlayInk(m_content.dark).ground; }

@@ -1,6 +1,7 @@
 #include "ui/views/lesson/lesson_panel.h"
 
 #include "core/base/resources.h"
+#include "core/pattern/samples.h"
 #include "ui/views/style/icons.h"
 
 #include <QComboBox>
@@ -13,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace knittsim::ui {
 
@@ -92,7 +94,16 @@ LessonPanel::LessonPanel(document::Document& document, QWidget* parent)
     connect(open, &QToolButton::clicked, this, &LessonPanel::openWanted);
     connect(m_back, &QToolButton::clicked, this, [this] { moveStop(-1); });
     connect(m_next, &QToolButton::clicked, this, [this] { moveStop(+1); });
-    connect(&m_document, &document::Document::openFailed, this, [this] { m_waiting = false; });
+    // Whatever is opened next takes the place of a lesson's program that is under way, also of a cancelled
+    // one.
+    connect(&m_document, &document::Document::openingStarted, this, [this] { m_pending = m_asked; });
+    connect(&m_document, &document::Document::openFailed, this, [this] { m_pending.reset(); });
+    connect(&m_document, &document::Document::lifted, this, [this] {
+        m_pending.reset();
+        if (running()) {
+            end(); // the chart has a program of its own
+        }
+    });
     listLessons();
     showText();
 }
@@ -105,27 +116,23 @@ void LessonPanel::listLessons() {
         m_choice->addItem(inWords(lesson.title));
         m_choice->setItemData(m_choice->count() - 1, inWords(lesson.summary), Qt::ToolTipRole);
     }
-    m_choice->setCurrentIndex(m_lesson + 1);
-}
-
-const lesson::Lesson* LessonPanel::current() const {
-    return m_lesson >= 0 ? &m_lessons[static_cast<std::size_t>(m_lesson)] : nullptr;
+    const auto row =
+        m_lesson ? std::ranges::find(m_lessons, m_lesson->id, &lesson::Lesson::id) : m_lessons.end();
+    m_choice->setCurrentIndex(row == m_lessons.end() ? 0 : static_cast<int>(row - m_lessons.begin()) + 1);
 }
 
 void LessonPanel::begin(int index) {
     if (index < 0 || index >= static_cast<int>(m_lessons.size())) {
         return;
     }
-    m_lesson = index;
-    m_stop = -1;
-    m_waiting = true;
-    listLessons();
-    const lesson::Lesson& lesson = *current();
-    if (lesson.sample.empty()) {
-        emit programWanted(QString::fromStdString(lesson.file.string()));
+    m_asked = m_lessons[static_cast<std::size_t>(index)];
+    if (m_asked->sample.empty()) {
+        emit programWanted(QString::fromStdString(m_asked->file.string()));
     } else {
-        emit sampleWanted(QString::fromStdString(lesson.sample));
+        emit sampleWanted(QString::fromStdString(m_asked->sample));
     }
+    m_asked.reset();
+    listLessons(); // the person may have declined
 }
 
 Diagnostics LessonPanel::openFile(const QString& path) {
@@ -139,24 +146,46 @@ Diagnostics LessonPanel::openFile(const QString& path) {
     return {};
 }
 
-void LessonPanel::takeProgram() {
-    const bool mine = std::exchange(m_waiting, false);
-    m_running = mine;
-    if (mine) {
-        emit begun();
-        showStop(0);
-    } else {
-        m_lesson = m_stop = -1;
-        listLessons();
-        showText();
+/// The file that is open is the program of a lesson.
+bool LessonPanel::opens(const lesson::Lesson& lesson) const {
+    const auto file = m_document.file();
+    if (!file) {
+        return false;
     }
+    const document::OpenRequest& request = file->request;
+    if (lesson.sample.empty()) {
+        return request.path == QString::fromStdString(lesson.file.string());
+    }
+    return request.path.isEmpty() && request.project &&
+           request.project->chart == pattern::sampleChart(lesson.sample);
+}
+
+void LessonPanel::takeProgram() {
+    std::optional<lesson::Lesson> begins = std::exchange(m_pending, std::nullopt);
+    if (!begins || !opens(*begins)) {
+        end();
+        return;
+    }
+    m_lesson = std::move(begins);
+    m_stop = -1;
+    listLessons();
+    emit begun();
+    showStop(0);
+    emit runningChanged();
+}
+
+void LessonPanel::end() {
+    m_lesson.reset();
+    m_stop = -1;
+    listLessons();
+    showText();
     emit runningChanged();
 }
 
 std::vector<machine::OperationIndex> LessonPanel::stopSteps() const {
     std::vector<machine::OperationIndex> steps;
     const auto file = m_document.file();
-    if (m_running && current() && file) {
+    if (current() && file) {
         for (const lesson::Stop& stop : current()->stops) {
             steps.push_back(lesson::stepOf(stop.at, file->timeline->program(), file->courseEnds));
         }
@@ -165,7 +194,7 @@ std::vector<machine::OperationIndex> LessonPanel::stopSteps() const {
 }
 
 QString LessonPanel::title() const {
-    return m_running && current() ? inWords(current()->title) : QString();
+    return current() ? inWords(current()->title) : QString();
 }
 
 QString LessonPanel::textOf(int stop) const {
@@ -174,7 +203,7 @@ QString LessonPanel::textOf(int stop) const {
 }
 
 void LessonPanel::showStop(int stop) {
-    if (!m_running || !current() || stop < 0 || stop >= static_cast<int>(current()->stops.size())) {
+    if (!current() || stop < 0 || stop >= static_cast<int>(current()->stops.size())) {
         return;
     }
     m_stop = stop;
@@ -184,7 +213,7 @@ void LessonPanel::showStop(int stop) {
 }
 
 void LessonPanel::showText() {
-    const bool shows = m_running && m_stop >= 0;
+    const bool shows = running() && m_stop >= 0;
     const auto count = shows ? static_cast<int>(current()->stops.size()) : 0;
     m_title->setVisible(shows);
     m_title->setText(shows ? inWords(current()->stops[static_cast<std::size_t>(m_stop)].title) : QString());

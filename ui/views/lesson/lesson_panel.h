@@ -8,6 +8,7 @@
 
 #include <QWidget>
 
+#include <optional>
 #include <vector>
 
 class QComboBox;
@@ -24,7 +25,8 @@ public:
     explicit LessonPanel(document::Document& document, QWidget* parent = nullptr);
 
     const std::vector<lesson::Lesson>& lessons() const { return m_lessons; }
-    /// Begins one of lessons(): its program is asked for, and shown at the first stop once it is open.
+    /// Begins one of lessons(): its program is asked for, and shown at the first stop once it is open. Until
+    /// then, and where the program does not come, the lesson that runs goes on.
     void begin(int index);
     /// A lesson of one's own is listed and begun. Says what is wrong with it otherwise.
     Diagnostics openFile(const QString& path);
@@ -32,10 +34,11 @@ public:
     /// Another program is open, and the window shows it.
     void takeProgram();
 
-    bool running() const { return m_running; }
+    bool running() const { return m_lesson.has_value(); }
     int stop() const { return m_stop; }
     void moveStop(int direction) { showStop(m_stop + direction); }
-    const lesson::Lesson* current() const;
+    /// The lesson that runs, or null.
+    const lesson::Lesson* current() const { return m_lesson ? &*m_lesson : nullptr; }
     /// Operations done at each stop of the lesson that runs.
     std::vector<machine::OperationIndex> stopSteps() const;
     QString title() const;          ///< of the lesson that runs
@@ -52,16 +55,19 @@ signals:
     void runningChanged();
 
 private:
+    bool opens(const lesson::Lesson& lesson) const;
+    void end();
     void listLessons();
     void showStop(int stop);
     void showText();
 
     document::Document& m_document;
     std::vector<lesson::Lesson> m_lessons;
-    int m_lesson = -1;
+    // Copies, for the list changes.
+    std::optional<lesson::Lesson> m_lesson;  ///< runs
+    std::optional<lesson::Lesson> m_asked;   ///< while its program is asked for
+    std::optional<lesson::Lesson> m_pending; ///< its program is being opened
     int m_stop = -1;
-    bool m_waiting = false; ///< for the program
-    bool m_running = false;
     QComboBox* m_choice = nullptr;
     QLabel* m_title = nullptr;
     QLabel* m_text = nullptr;

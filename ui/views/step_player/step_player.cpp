@@ -185,6 +185,7 @@ void StepPlayer::takeFile() {
     m_courseSlider->setRange(0, m_courses.partCount());
     listCarriers();
     takeStep();
+    m_marks.endAt(m_document.operationCount());
     showMarks();
 }
 
