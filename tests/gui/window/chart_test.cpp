@@ -216,7 +216,7 @@ private slots:
         QTest::keyClick(canvas(), Qt::Key_Right, Qt::ShiftModifier);
         QTest::keyClick(canvas(), Qt::Key_Up, Qt::ShiftModifier);
         QCOMPARE(canvas()->selection(), (pattern::CellRange{1, 1, 2, 2}));
-        QVERIFY(canvas()->accessibleDescription().contains("Wale 3, course 3"));
+        QVERIFY(canvas()->accessibleDescription().contains("Needle 3, course 3"));
     }
 
     void copiesMirrorsAndRepeats() {
