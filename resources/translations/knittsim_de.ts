@@ -987,8 +987,8 @@ MIT licence. Copyright the KnittSim authors.</source>
         <translation type="unfinished" />
     </message>
     <message>
-        <source>Wale %1, course %2: %3</source>
-        <translation type="unfinished" />
+        <source>Needle %1, course %2: %3</source>
+        <translation>Nadel %1, Reihe %2: %3</translation>
     </message>
     <message>
         <source>, carrier %1</source>
