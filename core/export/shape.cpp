@@ -1,5 +1,6 @@
 #include "core/export/shape.h"
 
+#include "core/fabric/machine_shape.h"
 #include "core/geometry/yarn_curve_builder.h"
 
 #include <algorithm>
@@ -22,22 +23,11 @@ std::vector<Material> materialsOf(const fabric::Fabric& fabric, std::span<const 
     return materials;
 }
 
-std::vector<float> machinePlaces(const fabric::Fabric& fabric) {
-    std::vector<float> places;
-    places.reserve(3 * fabric.machinePositions.size());
-    for (const Vec3& place : fabric.machinePositions) {
-        for (int c = 0; c < 3; ++c) {
-            places.push_back(static_cast<float>(place[c]));
-        }
-    }
-    return places;
-}
-
 } // namespace
 
 std::optional<Shape> shapeAt(std::shared_ptr<const fabric::Fabric> fabric, std::span<const yarn::Yarn> yarns,
                              std::vector<float> places, const Progress& progress) {
-    const std::vector<float> machine = machinePlaces(*fabric);
+    const std::vector<float> machine = fabric::machinePlaces(*fabric);
     std::vector<Material> materials = materialsOf(*fabric, yarns);
     std::vector<double> diameters;
     for (const Material& material : materials) {

@@ -1,5 +1,7 @@
 #include "core/fabric/course_heights.h"
 
+#include "core/fabric/machine_shape.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,11 +15,7 @@ constexpr double kWithMoves = 1.95;
 constexpr double kMoved = 0.5; ///< pitches
 
 double plainHeight(const Fabric& fabric) {
-    double sum = 0;
-    for (const machine::Loop& loop : fabric.made.loops) {
-        sum += loop.lengthMm;
-    }
-    return kPlainShare * sum / static_cast<double>(std::max<std::size_t>(1, fabric.made.loops.size()));
+    return kPlainShare * meanLoopLength(fabric);
 }
 
 } // namespace

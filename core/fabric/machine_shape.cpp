@@ -69,4 +69,23 @@ void layOutOnMachine(Fabric& fabric, const machine::MachineProfile& profile) {
     placeCrossings(fabric, heights, wales.made);
 }
 
+std::vector<float> machinePlaces(const Fabric& fabric) {
+    std::vector<float> places;
+    places.reserve(3 * fabric.machinePositions.size());
+    for (const Vec3& place : fabric.machinePositions) {
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            places.push_back(static_cast<float>(place[i]));
+        }
+    }
+    return places;
+}
+
+double meanLoopLength(const Fabric& fabric) {
+    double sum = 0;
+    for (const machine::Loop& loop : fabric.made.loops) {
+        sum += loop.lengthMm;
+    }
+    return sum / static_cast<double>(std::max<std::size_t>(1, fabric.made.loops.size()));
+}
+
 } // namespace knittsim::fabric

@@ -11,4 +11,10 @@ namespace knittsim::fabric {
 /// both strands.
 void layOutOnMachine(Fabric& fabric, const machine::MachineProfile& profile);
 
+/// Fabric::machinePositions as shapes are handed on: 3 numbers an entry, mm.
+std::vector<float> machinePlaces(const Fabric& fabric);
+
+/// Yarn of a loop and its sinker, mm, as fed; 0 without loops.
+double meanLoopLength(const Fabric& fabric);
+
 } // namespace knittsim::fabric

@@ -1,5 +1,6 @@
 #include "core/geometry/curve_report.h"
 
+#include "core/fabric/machine_shape.h"
 #include "core/geometry/yarn_curve_builder.h"
 
 #include <algorithm>
@@ -35,14 +36,7 @@ void compareLengths(const fabric::Fabric& fabric, const YarnCurves& curves, Curv
 } // namespace
 
 YarnCurves buildMachineCurves(const fabric::Fabric& fabric, std::span<const double> diameterMm) {
-    std::vector<float> positions;
-    positions.reserve(3 * fabric.machinePositions.size());
-    for (const Vec3& p : fabric.machinePositions) {
-        for (Eigen::Index i = 0; i < 3; ++i) {
-            positions.push_back(static_cast<float>(p[i]));
-        }
-    }
-    return buildYarnCurves(fabric, positions, diameterMm, {.exact = true});
+    return buildYarnCurves(fabric, fabric::machinePlaces(fabric), diameterMm, {.exact = true});
 }
 
 CurveReport inspectCurves(const fabric::Fabric& fabric, const YarnCurves& curves,

@@ -1,6 +1,7 @@
 #include "core/simulation/fabric_yarns.h"
 
 #include "core/base/segment_distance.h"
+#include "core/fabric/machine_shape.h"
 #include "core/geometry/yarn_curve_builder.h"
 #include "core/simulation/fabric_cell.h"
 #include "core/simulation/simulation.h"
@@ -35,25 +36,6 @@ constexpr double kSettleSeconds = 30;                    ///< for the bonding-po
 constexpr double kGravity = 9.81e-6;                     ///< weight of 1 tex, mN/mm
 constexpr double kClosedLoop = 1 - fabric::kSinkerShare; ///< of a loop length, between its two bases
 
-double meanLoopLength(const Fabric& f) {
-    double sum = 0;
-    for (const machine::Loop& loop : f.made.loops) {
-        sum += loop.lengthMm;
-    }
-    return f.made.loops.empty() ? 1 : sum / static_cast<double>(f.made.loops.size());
-}
-
-std::vector<float> machinePositions(const Fabric& f) {
-    std::vector<float> positions;
-    positions.reserve(3 * f.machinePositions.size());
-    for (const Vec3& p : f.machinePositions) {
-        for (Eigen::Index i = 0; i < 3; ++i) {
-            positions.push_back(static_cast<float>(p[i]));
-        }
-    }
-    return positions;
-}
-
 /// Carrier whose yarn is the longest.
 machine::CarrierIndex mostUsedCarrier(const Fabric& f) {
     const auto longest = std::ranges::max_element(f.yarns, {}, &fabric::Yarn::lengthMm);
@@ -81,7 +63,7 @@ std::optional<Eigen::Vector2d> cellSpacings(const Fabric& f, std::span<const yar
 
 /// Factors along x and y from the machine's shape to the spacings that the layout asks for.
 Eigen::Vector2d drawIn(const Fabric& f, std::span<const yarn::Yarn> yarns, const YarnLayout& layout) {
-    const geometry::Measurement machine = geometry::measure(f, machinePositions(f));
+    const geometry::Measurement machine = geometry::measure(f, fabric::machinePlaces(f));
     double wale = layout.waleSpacingMm;
     double course = layout.courseSpacingMm;
     const auto isGiven = [&] { return wale > 0 && course > 0; };
@@ -98,11 +80,11 @@ Eigen::Vector2d drawIn(const Fabric& f, std::span<const yarn::Yarn> yarns, const
         const geometry::Measurement rest = geometry::measure(f, net.frame().positions);
         wale = wale > 0 ? wale : rest.waleSpacingMm;
         // The net of bonding points has no thickness; yarn does not come out of so narrow a start.
-        course = course > 0 ? course : std::max(rest.courseSpacingMm, kLowest * meanLoopLength(f));
+        course = course > 0 ? course : std::max(rest.courseSpacingMm, kLowest * fabric::meanLoopLength(f));
         wale = wale > 0 ? wale : rest.waleSpacingMm;
     }
     if (!(layout.waleSpacingMm > 0)) {
-        wale = std::max(wale, kNarrowest * meanLoopLength(f));
+        wale = std::max(wale, kNarrowest * fabric::meanLoopLength(f));
     }
     const auto factor = [](double to, double from) { return to > 0 && from > 0 ? to / from : 1.0; };
     return {factor(wale, machine.waleSpacingMm), factor(course, machine.courseSpacingMm)};
@@ -341,13 +323,13 @@ FabricYarns layYarns(const Fabric& f, std::span<const yarn::Yarn> yarns, const Y
         setYarn(result, c, yarnOf(c));
         diameters.push_back(yarnOf(c).outerDiameterMm);
     }
-    const double loopLength = meanLoopLength(f);
+    const double loopLength = f.made.loops.empty() ? 1 : fabric::meanLoopLength(f); // any, where none is
     const Eigen::Vector2d plane = drawIn(f, yarns, layout);
     if (layout.cancelled != nullptr && (*layout.cancelled)()) {
         return result;
     }
     Laying laying(f,
-                  geometry::buildYarnCurves(f, machinePositions(f), diameters,
+                  geometry::buildYarnCurves(f, fabric::machinePlaces(f), diameters,
                                             {.samplesPerSegment = kSamples, .exact = true}),
                   loopLength / layout.nodesPerLoop, result.units.lengthMm);
     laying.stretch({plane.x(), plane.y(), depthFor(laying, plane, fed)});
@@ -360,7 +342,7 @@ FabricYarns layYarns(const Fabric& f, std::span<const yarn::Yarn> yarns, const Y
 }
 
 FabricYarns guessYarns(const Fabric& f, std::span<const yarn::Yarn> yarns) {
-    const double loopLength = meanLoopLength(f);
+    const double loopLength = fabric::meanLoopLength(f);
     YarnLayout layout;
     layout.waleSpacingMm = kUsualWale * loopLength;
     layout.courseSpacingMm = kUsualCourse * loopLength;
@@ -408,7 +390,7 @@ FabricYarns withHalfTheNodes(const Fabric& f, const FabricYarns& yarns, const ph
         result.nodeOfPoint.push_back(node < 0 ? -1 : renamed[static_cast<std::size_t>(node)]);
     }
     hangUp(f, result);
-    knotEnds(meanLoopLength(f) / result.units.lengthMm, result);
+    knotEnds(fabric::meanLoopLength(f) / result.units.lengthMm, result);
     return result;
 }
 

@@ -1,5 +1,6 @@
 #include "core/simulation/settling_record.h"
 
+#include "core/fabric/machine_shape.h"
 #include "core/simulation/simulation.h"
 #include "core/simulation/yarn_settling.h"
 
@@ -19,24 +20,6 @@ double meanWay(std::span<const float> a, std::span<const float> b) {
         sum += static_cast<double>(a[i] - b[i]) * (a[i] - b[i]);
     }
     return std::sqrt(3 * sum / static_cast<double>(std::max<std::size_t>(1, a.size())));
-}
-
-double stepOf(const fabric::Fabric& fabric) {
-    double sum = 0;
-    for (const machine::Loop& loop : fabric.made.loops) {
-        sum += loop.lengthMm;
-    }
-    return kStepShare * sum / static_cast<double>(std::max<std::size_t>(1, fabric.made.loops.size()));
-}
-
-std::vector<float> machinePlaces(const fabric::Fabric& fabric) {
-    std::vector<float> places;
-    for (const Vec3& place : fabric.machinePositions) {
-        for (int c = 0; c < 3; ++c) {
-            places.push_back(static_cast<float>(place[c]));
-        }
-    }
-    return places;
 }
 
 /// Asks the caller and the clock.
@@ -124,7 +107,7 @@ void SettlingRecord::add(SettlingShape shape) {
 Result<std::vector<SettlingShape>> recordSettling(const std::shared_ptr<const fabric::Fabric>& fabric,
                                                   const std::vector<yarn::Yarn>& yarns,
                                                   const RecordOptions& options, const Progress& progress) {
-    SettlingRecord record(stepOf(*fabric), options.most);
+    SettlingRecord record(kStepShare * fabric::meanLoopLength(*fabric), options.most);
     Watch watch(progress, options.maxSeconds);
     if (options.yarn) {
         const auto settled = recordYarn(*fabric, yarns, options.surroundings, watch, record);
@@ -132,7 +115,7 @@ Result<std::vector<SettlingShape>> recordSettling(const std::shared_ptr<const fa
             return Result<std::vector<SettlingShape>>::failure(settled.diagnostics());
         }
     } else {
-        record.add({machinePlaces(*fabric)});
+        record.add({fabric::machinePlaces(*fabric)});
         recordPoints(fabric, yarns, watch, record);
     }
     if (watch.cancelled()) {

@@ -1,5 +1,6 @@
 #include "ui/render/fabric_scene.h"
 
+#include "core/fabric/machine_shape.h"
 #include "core/geometry/yarn_frame.h"
 #include "ui/render/scene_chunks.h"
 
@@ -112,12 +113,7 @@ FabricScene::FabricScene(std::shared_ptr<const fabric::Fabric> fabric, std::span
         layOut(*topology, m_builder->curves().yarns, m_builder->curves().point);
     }
     m_topology = std::move(topology);
-    m_machinePositions.reserve(m_fabric->machinePositions.size() * 3);
-    for (const Vec3& place : m_fabric->machinePositions) {
-        for (int c = 0; c < 3; ++c) {
-            m_machinePositions.push_back(static_cast<float>(place[c]));
-        }
-    }
+    m_machinePositions = fabric::machinePlaces(*m_fabric);
     m_roundsLeft = m_builder && m_fabric->loops.size() <= kMostOrdered ? kMostRounds : 0;
 }
 

@@ -1,4 +1,5 @@
 #include "core/fabric/fabric_builder.h"
+#include "core/fabric/machine_shape.h"
 #include "core/fabric/needle_hooks.h"
 #include "core/pattern/samples.h"
 
@@ -15,11 +16,7 @@ struct Hung {
 
 Hung hang(const machine::Timeline& timeline, OperationIndex count) {
     Hung hung{buildFabric(timeline, count), {}, {}};
-    for (const Vec3& place : hung.fabric.machinePositions) {
-        for (int axis = 0; axis < 3; ++axis) {
-            hung.positions.push_back(static_cast<float>(place[axis]));
-        }
-    }
+    hung.positions = machinePlaces(hung.fabric);
     hung.hooks =
         hangOnNeedles(hung.fabric, heldStacks(timeline.stateAfter(count)),
                       &timeline.program().operations[static_cast<std::size_t>(count) - 1], hung.positions);

@@ -1,4 +1,5 @@
 #include "core/fabric/fabric_builder.h"
+#include "core/fabric/machine_shape.h"
 #include "core/formats/formats.h"
 #include "core/geometry/curve_report.h"
 #include "tests/support/build.h"
@@ -22,11 +23,7 @@ struct Exact {
 
 /// Yarn of a seventeenth of the loop length, as a normal fabric has.
 std::vector<double> diametersFor(const fabric::Fabric& fabric) {
-    double sum = 0;
-    for (const machine::Loop& loop : fabric.made.loops) {
-        sum += loop.lengthMm;
-    }
-    return std::vector<double>(32, sum / static_cast<double>(fabric.made.loops.size()) / 17);
+    return std::vector<double>(32, fabric::meanLoopLength(fabric) / 17);
 }
 
 Exact exact(fabric::Fabric fabric) {

@@ -1,3 +1,4 @@
+#include "core/fabric/machine_shape.h"
 #include "ui/render/scene_chunks.h"
 #include "ui/views/fabric_view/fabric_view_implementation.h"
 
@@ -22,12 +23,7 @@ std::optional<Vec3f> FabricView::Implementation::placeOfLoop(int loop) const {
 void FabricView::Implementation::takePlaces(std::span<const float> positions) {
     places.assign(positions.begin(), positions.end());
     if (places.empty() && fabric) {
-        places.reserve(3 * fabric->machinePositions.size());
-        for (const Vec3& place : fabric->machinePositions) {
-            for (int c = 0; c < 3; ++c) {
-                places.push_back(static_cast<float>(place[c]));
-            }
-        }
+        places = fabric::machinePlaces(*fabric);
     }
     annotate();
 }
