@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace knittsim::geometry {
 
@@ -26,45 +27,61 @@ int YarnCurveBuilder::makeExact(const fabric::Fabric& fabric, std::span<const fl
         m_plan.fitArcs(m_frames, spanLengths(m_curves));
     }
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
+    update(positions);
+    Audited audited = audit(fabric);
     for (int round = 0, idle = 0; round < kMostRounds && idle <= kIdleRounds; ++round) {
-        const std::size_t wrong = orderStrands(fabric, positions);
-        idle = wrong < fewest ? 0 : idle + 1;
-        fewest = std::min(fewest, wrong);
+        const std::size_t wrong = raise(audited);
         if (wrong == 0) {
             break;
         }
+        idle = wrong < fewest ? 0 : idle + 1;
+        fewest = std::min(fewest, wrong);
+        update(positions);
+        audited = audit(fabric);
     }
-    update(positions);
-    return fitDepth(fabric);
+    return fitDepth(fabric, std::move(audited));
 }
 
 /// Only in depth, so that what is in order stays. Strands that lie exactly behind each other may cross
 /// elsewhere after they have moved: then it is looked at again.
-int YarnCurveBuilder::fitDepth(const fabric::Fabric& fabric) {
+int YarnCurveBuilder::fitDepth(const fabric::Fabric& fabric, Audited audited) {
     DepthFit fit(splines(), m_weights, m_curves.nodes);
     const std::vector<YarnPiece> pieces = yarnPieces(fabric, m_curves);
     for (int round = 0; round < kDepthRounds; ++round) {
-        const Orders wanted = ordersOf(fabric);
+        const Orders wanted = ordersOf(audited);
         if (round > 0 && wanted.wrong == 0) {
             return round;
         }
         fit.run(round < kLengthRounds ? pieces : std::vector<YarnPiece>(), wanted.orders, kAsStored);
         m_curves.nodes = fit.nodes();
         measureArc();
+        if (round + 1 < kDepthRounds) {
+            audited = audit(fabric);
+        }
     }
     return -1;
 }
 
 std::size_t YarnCurveBuilder::orderStrands(const fabric::Fabric& fabric, std::span<const float> positions) {
     update(positions);
-    const std::vector<ProjectedCrossing> crossings = projectCrossings(m_curves);
-    return raise(crossings, auditCrossings(fabric, m_curves, crossings).order);
+    return raise(audit(fabric));
+}
+
+YarnCurveBuilder::Audited YarnCurveBuilder::audit(const fabric::Fabric& fabric) const {
+    std::vector<ProjectedCrossing> crossings = projectCrossings(m_curves);
+    std::vector<std::int8_t> order = auditCrossings(fabric, m_curves, crossings).order;
+    return {std::move(crossings), std::move(order)};
+}
+
+/// Between the centrelines of two strands that cross, mm.
+float YarnCurveBuilder::leastGap(const ProjectedCrossing& crossing) const {
+    return kLeastGap * 0.5F * (diameterAt(crossing.over) + diameterAt(crossing.under));
 }
 
 /// Moves the strands of every crossing that is not as it should be half the missing distance each. Where
 /// several crossings pull at one control point it moves by their mean. Returns how many were not.
-std::size_t YarnCurveBuilder::raise(const std::vector<ProjectedCrossing>& crossings,
-                                    const std::vector<std::int8_t>& order) {
+std::size_t YarnCurveBuilder::raise(const Audited& audited) {
+    const auto& [crossings, order] = audited;
     std::vector<float>& lift = m_plan.lift();
     std::vector<float> move(lift.size(), 0);
     std::vector<float> pulls(lift.size(), 0);
@@ -85,7 +102,7 @@ std::size_t YarnCurveBuilder::raise(const std::vector<ProjectedCrossing>& crossi
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         const ProjectedCrossing& c = crossings[i];
-        const float least = kLeastGap * 0.5F * (diameterAt(c.over) + diameterAt(c.under));
+        const float least = leastGap(c);
         const float missing = least - static_cast<float>(order[i]) * c.gapMm;
         if (order[i] == 0 || missing <= 0) {
             continue;
@@ -111,14 +128,13 @@ std::vector<DepthFit::Spline> YarnCurveBuilder::splines() const {
 }
 
 /// What the books ask of every crossing of the curves; one of which they say nothing is to stay as it is.
-YarnCurveBuilder::Orders YarnCurveBuilder::ordersOf(const fabric::Fabric& fabric) const {
-    const std::vector<ProjectedCrossing> crossings = projectCrossings(m_curves);
-    const std::vector<std::int8_t> order = auditCrossings(fabric, m_curves, crossings).order;
+YarnCurveBuilder::Orders YarnCurveBuilder::ordersOf(const Audited& audited) const {
+    const auto& [crossings, order] = audited;
     Orders wanted;
     wanted.orders.reserve(crossings.size());
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         const ProjectedCrossing& c = crossings[i];
-        const float least = kLeastGap * 0.5F * (diameterAt(c.over) + diameterAt(c.under));
+        const float least = leastGap(c);
         if (order[i] < 0) {
             wanted.orders.push_back({c.under, c.over, c.underShare, c.overShare, least});
             ++wanted.wrong;

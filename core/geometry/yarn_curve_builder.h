@@ -39,10 +39,17 @@ private:
         std::vector<DepthFit::Order> orders;
         std::size_t wrong = 0;
     };
-    int fitDepth(const fabric::Fabric& fabric);
-    std::size_t raise(const std::vector<ProjectedCrossing>& crossings, const std::vector<std::int8_t>& order);
+    /// The crossings of the curves and what the books say of each, see CrossingAudit::order.
+    struct Audited {
+        std::vector<ProjectedCrossing> crossings;
+        std::vector<std::int8_t> order;
+    };
+    Audited audit(const fabric::Fabric& fabric) const;
+    int fitDepth(const fabric::Fabric& fabric, Audited audited);
+    std::size_t raise(const Audited& audited);
+    float leastGap(const ProjectedCrossing& crossing) const;
     std::size_t controlAt(std::int32_t node) const;
-    Orders ordersOf(const fabric::Fabric& fabric) const;
+    Orders ordersOf(const Audited& audited) const;
     std::vector<DepthFit::Spline> splines() const;
     float diameterAt(std::int32_t node) const;
     void sample(std::size_t firstControl, std::size_t lastControl);
