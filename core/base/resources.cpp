@@ -5,7 +5,7 @@
 namespace knittsim {
 
 std::filesystem::path resourceFolder() {
-    if (const char* folder = std::getenv("KNITTSIM_RESOURCES"); folder != nullptr && *folder != '\0') {
+    if (auto folder = folderFrom("KNITTSIM_RESOURCES"); !folder.empty()) {
         return folder;
     }
     std::error_code error;
@@ -17,6 +17,19 @@ std::filesystem::path resourceFolder() {
         }
     }
     return KNITTSIM_SOURCE_RESOURCES;
+}
+
+std::filesystem::path folderFrom(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value == nullptr ? "" : value;
+}
+
+std::filesystem::path userFolder() {
+    if (const auto config = folderFrom("XDG_CONFIG_HOME"); !config.empty()) {
+        return config / "knittsim";
+    }
+    const auto home = folderFrom("HOME");
+    return home.empty() ? home : home / ".config" / "knittsim";
 }
 
 } // namespace knittsim

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 
 namespace knittsim::machine {
 
@@ -83,18 +82,11 @@ const MachineProfile* ProfileLibrary::findMachine(std::string_view machine) cons
 }
 
 std::filesystem::path userProfileFolder() {
-    const auto variable = [](const char* name) -> std::filesystem::path {
-        const char* value = std::getenv(name);
-        return value == nullptr ? "" : value;
-    };
-    if (const auto own = variable("KNITTSIM_MACHINES"); !own.empty()) {
+    if (auto own = folderFrom("KNITTSIM_MACHINES"); !own.empty()) {
         return own;
     }
-    if (const auto config = variable("XDG_CONFIG_HOME"); !config.empty()) {
-        return config / "knittsim" / "machines";
-    }
-    const auto home = variable("HOME");
-    return home.empty() ? home : home / ".config" / "knittsim" / "machines";
+    const auto user = userFolder();
+    return user.empty() ? user : user / "machines";
 }
 
 std::vector<std::filesystem::path> profileFolders() {

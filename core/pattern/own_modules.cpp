@@ -1,10 +1,10 @@
 #include "core/pattern/own_modules.h"
 
 #include "core/base/file.h"
+#include "core/base/resources.h"
 #include "core/pattern/project.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <string_view>
 #include <system_error>
 
@@ -44,21 +44,12 @@ Diagnostics cannotWrite(const std::filesystem::path& path, const std::error_code
 } // namespace
 
 std::filesystem::path ownModuleFolder() {
-    const auto variable = [](const char* name) -> std::filesystem::path {
-        const char* value = std::getenv(name);
-        return value == nullptr ? "" : value;
-    };
-    if (const auto own = variable("KNITTSIM_MODULES"); !own.empty()) {
+    if (auto own = folderFrom("KNITTSIM_MODULES"); !own.empty()) {
         return own;
     }
-    if (const auto config = variable("KNITTSIM_CONFIG_DIR"); !config.empty()) {
-        return config / "modules";
-    }
-    if (const auto config = variable("XDG_CONFIG_HOME"); !config.empty()) {
-        return config / "knittsim" / "modules";
-    }
-    const auto home = variable("HOME");
-    return home.empty() ? home : home / ".config" / "knittsim" / "modules";
+    const auto settings = folderFrom("KNITTSIM_CONFIG_DIR");
+    const auto user = settings.empty() ? userFolder() : settings;
+    return user.empty() ? user : user / "modules";
 }
 
 std::vector<Module> readOwnModules(const std::filesystem::path& folder, Diagnostics& problems) {

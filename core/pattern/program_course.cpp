@@ -47,10 +47,11 @@ std::vector<int> yarnsOf(const ProgramCourse& course) {
     return {yarns.begin(), yarns.end()};
 }
 
-std::shared_ptr<const ProgramCourse> withWales(const ProgramCourse& course, int wale, int count) {
-    auto changed = std::make_shared<ProgramCourse>(course);
-    const auto shift = [&](auto& index) { index += index >= wale ? count : 0; };
-    for (Operation& op : changed->operations) {
+namespace {
+
+/// `shift` gets every wale that the course names.
+template<class Shift> void shiftWales(ProgramCourse& course, const Shift& shift) {
+    for (Operation& op : course.operations) {
         if (namesNeedle(op.kind)) {
             shift(op.needle.index);
         }
@@ -58,10 +59,17 @@ std::shared_ptr<const ProgramCourse> withWales(const ProgramCourse& course, int 
             shift(op.target.index);
         }
     }
-    for (LoopMove& move : changed->moves) {
+    for (LoopMove& move : course.moves) {
         shift(move.from);
         shift(move.to);
     }
+}
+
+} // namespace
+
+std::shared_ptr<const ProgramCourse> withWales(const ProgramCourse& course, int wale, int count) {
+    auto changed = std::make_shared<ProgramCourse>(course);
+    shiftWales(*changed, [&](auto& index) { index += index >= wale ? count : 0; });
     const auto some = static_cast<std::size_t>(count);
     changed->cells.insert(changed->cells.begin() + wale, some, Cell{Stitch::Empty, 0});
     changed->loops.insert(changed->loops.begin() + wale, some, std::uint8_t{0});
@@ -71,24 +79,12 @@ std::shared_ptr<const ProgramCourse> withWales(const ProgramCourse& course, int 
 std::shared_ptr<const ProgramCourse> withoutWales(const ProgramCourse& course, int wale, int count) {
     auto changed = std::make_shared<ProgramCourse>(course);
     const auto gone = [&](int index) { return index >= wale && index < wale + count; };
-    const auto shift = [&](auto& index) { index -= index >= wale ? count : 0; };
     std::erase_if(changed->operations, [&](const Operation& op) {
         return (namesNeedle(op.kind) && gone(op.needle.index)) ||
                (namesTarget(op.kind) && gone(op.target.index));
     });
     std::erase_if(changed->moves, [&](const LoopMove& move) { return gone(move.from) || gone(move.to); });
-    for (Operation& op : changed->operations) {
-        if (namesNeedle(op.kind)) {
-            shift(op.needle.index);
-        }
-        if (namesTarget(op.kind)) {
-            shift(op.target.index);
-        }
-    }
-    for (LoopMove& move : changed->moves) {
-        shift(move.from);
-        shift(move.to);
-    }
+    shiftWales(*changed, [&](auto& index) { index -= index >= wale ? count : 0; });
     changed->cells.erase(changed->cells.begin() + wale, changed->cells.begin() + wale + count);
     changed->loops.erase(changed->loops.begin() + wale, changed->loops.begin() + wale + count);
     return changed;
