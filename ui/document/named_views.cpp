@@ -1,8 +1,6 @@
 #include "ui/document/named_views.h"
 
-#include <QCryptographicHash>
 #include <QDataStream>
-#include <QFileInfo>
 #include <QIODevice>
 
 #include <algorithm>
@@ -43,25 +41,18 @@ std::vector<NamedView> fromBytes(const QByteArray& bytes) {
     return views;
 }
 
-QString keyOf(const QString& path) {
-    if (path.isEmpty()) {
-        return {};
-    }
-    const QByteArray name = QFileInfo(path).absoluteFilePath().toUtf8();
-    const QByteArray hash = QCryptographicHash::hash(name, QCryptographicHash::Sha1);
-    return QStringLiteral("views/") + QString::fromLatin1(hash.toHex());
-}
+const QString kGroup = QStringLiteral("views");
 
 } // namespace
 
 void NamedViews::setFile(const QString& path) {
     m_open = true;
-    m_key = keyOf(path);
+    m_key = Session::keyOf(kGroup, path);
     m_views = m_key.isEmpty() ? std::vector<NamedView>() : fromBytes(m_session.value(m_key));
 }
 
 void NamedViews::moveTo(const QString& path) {
-    const QString key = keyOf(path);
+    const QString key = Session::keyOf(kGroup, path);
     if (key != m_key) {
         m_key = key;
         write();

@@ -1,5 +1,6 @@
 #include "ui/document/session.h"
 
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -22,6 +23,15 @@ QString Session::filePath() {
                                    QStringLiteral("/knittsim")
                              : folder;
     return QDir(base).filePath(QStringLiteral("knittsim.ini"));
+}
+
+QString Session::keyOf(const QString& group, const QString& path) {
+    if (path.isEmpty()) {
+        return {};
+    }
+    const QByteArray name = QFileInfo(path).absoluteFilePath().toUtf8();
+    const QByteArray hash = QCryptographicHash::hash(name, QCryptographicHash::Sha1);
+    return group + u'/' + QString::fromLatin1(hash.toHex());
 }
 
 Session::Session() : m_settings(filePath(), QSettings::IniFormat) {

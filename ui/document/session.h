@@ -19,6 +19,9 @@ public:
 
     static QString filePath();
 
+    /// Key in the group of what is remembered with a file; empty for an empty path.
+    static QString keyOf(const QString& group, const QString& path);
+
     QStringList recentFiles() const;
     void addRecentFile(const QString& path); ///< to the front; once only
     void removeRecentFile(const QString& path);

@@ -105,9 +105,10 @@ std::unique_ptr<document::Document> MainWindow::releaseDocument() {
 MainWindow::~MainWindow() {
     // The views look at the document, which is a member and goes before the window's children would.
     hide();
-    for (QWidget* view : std::initializer_list<QWidget*>{
-             m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock, m_problemDock, m_bedDock, m_legendDock,
-             m_stepsDock, m_lessonDock, m_toolBar, m_status, centralWidget()}) {
+    for (QDockWidget* dock : docks()) {
+        delete dock;
+    }
+    for (QWidget* view : std::initializer_list<QWidget*>{m_toolBar, m_status, centralWidget()}) {
         delete view;
     }
 }
@@ -383,8 +384,7 @@ void MainWindow::showGallery() {
         m_arrangement = saveState();
     }
     m_pages->setCurrentWidget(m_gallery);
-    for (QDockWidget* dock : {m_gridDock, m_sourceDock, m_yarnDock, m_simulationDock, m_problemDock,
-                              m_bedDock, m_legendDock, m_stepsDock, m_lessonDock}) {
+    for (QDockWidget* dock : docks()) {
         dock->hide();
     }
     m_toolBar->hide();

@@ -120,6 +120,10 @@ private:
     bool saveChartAs();
     bool saveChartTo(const QString& path);
     void exportMachineData();
+    /// Of the panels, in the order of the menu.
+    std::vector<QDockWidget*> docks() const;
+    /// A file to read, whose folder is remembered; empty when there is none.
+    QString askWhich(const QString& title, const QString& filter);
     QString askWhere(const QString& title, const QString& start, const QStringList& kinds);
     void exportChart();
     void takeForeignChange();
@@ -199,6 +203,7 @@ private:
 
     // main_window_recording.cpp
     void buildRecordingMenu(QMenu* menu);
+    void record(const QString& path, std::vector<RecordedStep> steps);
     std::vector<RecordedStep> stepsToRecord() const;
     void chooseRecording(const QString& title, const QString& filter, const QString& extension);
 

@@ -356,8 +356,7 @@ void MainWindow::buildSimulateMenu() {
 void MainWindow::buildWindowMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&Window"));
     menu->setObjectName(QStringLiteral("windowMenu"));
-    for (QDockWidget* dock : {m_gridDock, m_sourceDock, m_legendDock, m_yarnDock, m_stepsDock,
-                              m_simulationDock, m_problemDock, m_bedDock, m_lessonDock}) {
+    for (QDockWidget* dock : docks()) {
         menu->addAction(dock->toggleViewAction());
     }
     menu->addSeparator();

@@ -30,6 +30,14 @@
 namespace knittsim::ui {
 
 /// A file to write, of the kind that was chosen; asks before one that exists. Empty: nowhere.
+QString MainWindow::askWhich(const QString& title, const QString& filter) {
+    const QString path = QFileDialog::getOpenFileName(this, title, m_session.lastFolder(), filter);
+    if (!path.isEmpty()) {
+        m_session.setLastFolder(QFileInfo(path).absolutePath());
+    }
+    return path;
+}
+
 QString MainWindow::askWhere(const QString& title, const QString& start, const QStringList& kinds) {
     QFileDialog dialog(this, title, start, kinds.join(QStringLiteral(";;")));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
@@ -161,10 +169,8 @@ void MainWindow::newChart() {
 }
 
 void MainWindow::choosePicture() {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Import a picture"), m_session.lastFolder(),
-                                                      tr("Pictures (*.png *.jpg *.jpeg);;All files (*)"));
+    const QString path = askWhich(tr("Import a picture"), tr("Pictures (*.png *.jpg *.jpeg);;All files (*)"));
     if (!path.isEmpty()) {
-        m_session.setLastFolder(QFileInfo(path).absolutePath());
         importPicture(path);
     }
 }

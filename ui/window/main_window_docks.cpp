@@ -111,6 +111,11 @@ void MainWindow::buildDocks() {
     m_gridDock->raise();
 }
 
+std::vector<QDockWidget*> MainWindow::docks() const {
+    return {m_gridDock,       m_sourceDock,  m_legendDock, m_yarnDock,  m_stepsDock,
+            m_simulationDock, m_problemDock, m_bedDock,    m_lessonDock};
+}
+
 void MainWindow::takeTitleBars() {
     // A dock behind a tab is named and moved by the tab; a title bar would say the same again.
     for (auto* dock : findChildren<QDockWidget*>()) {

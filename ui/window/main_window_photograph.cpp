@@ -4,7 +4,6 @@
 #include "ui/window/photograph_card.h"
 
 #include <QAction>
-#include <QCryptographicHash>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QImageReader>
@@ -33,15 +32,7 @@ QImage readPhotograph(const QString& path, QString& reason) {
     return image.isNull() ? image : image.convertToFormat(QImage::Format_ARGB32_Premultiplied);
 }
 
-/// Under what the session remembers the photograph of a file; empty for what is not in one.
-QString keyOf(const QString& path) {
-    if (path.isEmpty()) {
-        return {};
-    }
-    const QByteArray name = QFileInfo(path).absoluteFilePath().toUtf8();
-    return QStringLiteral("photographs/") +
-           QString::fromLatin1(QCryptographicHash::hash(name, QCryptographicHash::Sha1).toHex());
-}
+const QString kGroup = QStringLiteral("photographs");
 
 } // namespace
 
@@ -124,7 +115,7 @@ void MainWindow::recallPhotograph() {
     m_photographKey.clear(); // the next line is not to be remembered
     m_fabric->cancelAlignment();
     m_fabric->setPhotograph({});
-    m_photographKey = keyOf(m_document.path());
+    m_photographKey = document::Session::keyOf(kGroup, m_document.path());
     if (m_photographKey.isEmpty()) {
         return;
     }
@@ -143,7 +134,7 @@ void MainWindow::rememberPhotograph() {
 
 /// What was saved under another name takes its photograph along; the other file keeps its own.
 void MainWindow::movePhotograph() {
-    const QString key = keyOf(m_document.path());
+    const QString key = document::Session::keyOf(kGroup, m_document.path());
     if (key != m_photographKey) {
         m_photographKey = key;
         rememberPhotograph();

@@ -70,19 +70,20 @@ std::vector<RecordedStep> MainWindow::stepsToRecord() const {
 }
 
 void MainWindow::chooseRecording(const QString& title, const QString& filter, const QString& extension) {
-    if (!m_document.file() || stepsToRecord().empty()) {
+    std::vector<RecordedStep> steps = m_document.file() ? stepsToRecord() : std::vector<RecordedStep>();
+    if (steps.empty()) {
         m_banner->showMessage(
             Banner::Kind::Note,
             tr("Nothing is chosen yet: set bookmarks (Ctrl+B), mark a range (Shift+Home, Shift+End) "
                "or begin a lesson."));
         return;
     }
-    if (extension == QLatin1String(".webp") && stepsToRecord().size() > kMostFrames) {
+    if (extension == QLatin1String(".webp") && steps.size() > kMostFrames) {
         m_banner->showMessage(Banner::Kind::Note,
                               tr("An animation has %1 steps at most, and %2 are chosen: mark a "
                                  "shorter range, or record numbered pictures.")
                                   .arg(kMostFrames)
-                                  .arg(stepsToRecord().size()));
+                                  .arg(steps.size()));
         return;
     }
     const QString name = QFileInfo(m_document.title()).completeBaseName() + extension;
@@ -94,11 +95,14 @@ void MainWindow::chooseRecording(const QString& title, const QString& filter, co
         path += extension;
     }
     m_session.setLastFolder(QFileInfo(path).absolutePath());
-    record(path);
+    record(path, std::move(steps));
 }
 
 void MainWindow::record(const QString& path) {
-    std::vector<RecordedStep> steps = stepsToRecord();
+    record(path, stepsToRecord());
+}
+
+void MainWindow::record(const QString& path, std::vector<RecordedStep> steps) {
     const auto count = static_cast<int>(steps.size());
     const QString title = m_lesson->running() ? m_lesson->title() : m_document.title();
     auto sink = path.endsWith(QLatin1String(".webp"))  ? makeWebpSink(path)

@@ -91,10 +91,8 @@ void MainWindow::chooseReportFile() {
 }
 
 void MainWindow::chooseMachineFile() {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Add a machine"), m_session.lastFolder(),
-                                                      tr("Machine profiles (*.json);;All files (*)"));
+    const QString path = askWhich(tr("Add a machine"), tr("Machine profiles (*.json);;All files (*)"));
     if (!path.isEmpty()) {
-        m_session.setLastFolder(QFileInfo(path).absolutePath());
         addMachine(path);
     }
 }

@@ -82,10 +82,8 @@ void MainWindow::listLessons() {
 }
 
 void MainWindow::chooseLesson() {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open a lesson"), m_session.lastFolder(),
-                                                      tr("Lessons (*.json);;All files (*)"));
+    const QString path = askWhich(tr("Open a lesson"), tr("Lessons (*.json);;All files (*)"));
     if (!path.isEmpty()) {
-        m_session.setLastFolder(QFileInfo(path).absolutePath());
         openLesson(path);
     }
 }

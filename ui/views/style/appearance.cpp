@@ -1,9 +1,11 @@
 #include "ui/views/style/appearance.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QStyle>
 #include <QStyleFactory>
 #include <QToolTip>
+#include <QWidget>
 
 namespace knittsim::ui {
 
@@ -136,6 +138,14 @@ Accents accentsOf(const QPalette& palette) {
     }
     return {QColor(0x1f7a45), QColor(0x1f6a99), QColor(0x8a5a00),
             QColor(0xb3261e), QColor(0x5c6674), QColor(0xdde1e6)};
+}
+
+void paintCard(QWidget& card) {
+    QPainter painter(&card);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(accentsOf(card.palette()).line);
+    painter.setBrush(card.palette().color(QPalette::ToolTipBase));
+    painter.drawRoundedRect(QRectF(card.rect()).adjusted(0.5, 0.5, -0.5, -0.5), 8, 8);
 }
 
 QColor inkOn(const QColor& ground) {

@@ -6,6 +6,7 @@
 #include <QPalette>
 
 class QApplication;
+class QWidget;
 
 namespace knittsim::ui {
 
@@ -32,6 +33,9 @@ struct Accents {
     QColor line;      ///< separators and grids
 };
 Accents accentsOf(const QPalette& palette);
+
+/// The ground of a card that lies over the fabric, for its paintEvent.
+void paintCard(QWidget& card);
 
 /// The colour of dark or light ink that reads best on `ground`.
 QColor inkOn(const QColor& ground);
