@@ -28,10 +28,6 @@ std::pair<Vec3f, Vec3f> lowerAndUpper(bool dark) {
                 : std::pair(Vec3f(0.84F, 0.85F, 0.86F), Vec3f(0.955F, 0.96F, 0.965F));
 }
 
-float millimetresPerPixel(const View& view) {
-    return 2 * view.camera.state().halfHeight / static_cast<float>(std::max(1, view.height));
-}
-
 FabricRenderer::FabricRenderer() : m(std::make_unique<Implementation>()) {}
 FabricRenderer::~FabricRenderer() = default;
 
@@ -53,6 +49,17 @@ Result<std::unique_ptr<FabricRenderer>> FabricRenderer::create() {
     m.makeNoise();
     m.makeArrays();
     return result;
+}
+
+bool FabricRenderer::contextIsLost() {
+    constexpr GLenum kContextLost = 0x0507; // GL_CONTEXT_LOST, of OpenGL 4.5 and of extensions before
+    GLenum status = GL_NO_ERROR;
+    if (epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_KHR_robustness")) {
+        status = glGetGraphicsResetStatus();
+    } else if (epoxy_has_gl_extension("GL_ARB_robustness")) {
+        status = glGetGraphicsResetStatusARB();
+    }
+    return status != GL_NO_ERROR || glGetError() == kContextLost;
 }
 
 void FabricRenderer::Implementation::makeNoise() {

@@ -53,8 +53,8 @@ struct FabricRenderer::Implementation {
     void drawBackground(const View& view) const;
     void drawYarns(const View& view);
     void drawCarrier(const View& view, const Frustum& frustum, machine::CarrierIndex carrier);
-    void drawHair(const View& view, const Frustum& frustum, machine::CarrierIndex carrier,
-                  float radius) const;
+    void drawHair(const View& view, const Frustum& frustum, machine::CarrierIndex carrier, float radius,
+                  float grown) const;
     const ShaderProgram& programFor(const Detail& detail, bool cut) const;
     void collectPieces(const Frustum& frustum, machine::CarrierIndex carrier, float radius,
                        const Detail& detail);
@@ -69,8 +69,5 @@ Vec3f shown(yarn::Colour c);
 
 /// Lower and upper colour of the background.
 std::pair<Vec3f, Vec3f> lowerAndUpper(bool dark);
-
-/// Of the picture, which has more pixels than the window on fine screens.
-float millimetresPerPixel(const View& view);
 
 } // namespace knittsim::render

@@ -64,7 +64,8 @@ void FabricRenderer::Implementation::drawCarrier(const View& view, const Frustum
     const float perPixel = millimetresPerPixel(view);
     const float radius = mesh ? 0.8F * perPixel : 0.5F * static_cast<float>(yarnLook.diameterMm);
     Detail detail =
-        mesh ? Detail{} : detailAt(2 * radius / perPixel, frame->segmentMm / (2 * radius), view.quality);
+        mesh ? Detail{}
+             : detailAt(2 * radius / perPixel, frame->segmentMm / (2 * radius), view.quality, view.level);
     const bool cut = view.section && frame->style == DrawStyle::Yarn;
     if (cut) { // only a whole tube has an inside
         detail.sides = std::max(detail.sides, 8);
@@ -98,7 +99,7 @@ void FabricRenderer::Implementation::drawCarrier(const View& view, const Frustum
         glMultiDrawElements(GL_TRIANGLE_STRIP, counts.data(), GL_UNSIGNED_INT, offsets.data(), pieces);
         glDisable(GL_CULL_FACE);
         if (frame->style == DrawStyle::Yarn && detail.plies > 0 && view.hair) {
-            drawHair(view, frustum, carrier, radius);
+            drawHair(view, frustum, carrier, radius, detail.plies);
         }
     } else {
         glBindVertexArray(emptyArray);
@@ -106,9 +107,10 @@ void FabricRenderer::Implementation::drawCarrier(const View& view, const Frustum
     }
 }
 
-/// Loose fibres of a carrier's yarns, as lines.
+/// Loose fibres of a carrier's yarns, as lines. `grown`: 0 .. 1, how far they stand off.
 void FabricRenderer::Implementation::drawHair(const View& view, const Frustum& frustum,
-                                              machine::CarrierIndex carrier, float radius) const {
+                                              machine::CarrierIndex carrier, float radius,
+                                              float grown) const {
     constexpr double kHairy = 0.2;   ///< less is not seen
     constexpr double kPerWidth = 14; ///< fibres on a piece of the hairiest yarn as long as it is wide
     constexpr GLsizei kVertices = 4;
@@ -123,6 +125,7 @@ void FabricRenderer::Implementation::drawHair(const View& view, const Frustum& f
     setYarn(program, view, yarnLook, radius);
     setRamp(program);
     program.set("uRadius", radius);
+    program.set("uGrown", grown);
     program.set("uHairs", hairs);
     program.set("uSegmentMm", frame->segmentMm);
     glBindVertexArray(emptyArray);
