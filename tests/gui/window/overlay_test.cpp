@@ -65,6 +65,7 @@ private slots:
     void switchesChangeThePictureAndTheMenu() {
         openSample("plain");
         settleInView();
+        waitForTheLastPicture();
         QVERIFY(action("actionDimensions")->isChecked());
         const QImage with = grab();
         press(Qt::Key_5, Qt::AltModifier);
@@ -204,16 +205,20 @@ private slots:
     }
 
 private:
-    /// At rest and drawn: strands are still freed of each other after the last frame.
+    /// At rest and drawn.
     void settleInView() {
         settle();
         QTRY_VERIFY(yarnPixels(fabric()->picture()) > 0);
+    }
+
+    /// Until the strands that touched are drawn apart, which goes on for a while at rest.
+    void waitForTheLastPicture() {
         const auto stays = [&] {
             const QImage before = grab();
             QTest::qWait(300);
             return grab() == before;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(stays(), 30000);
+        QVERIFY(QTest::qWaitFor(stays, 60000));
     }
 
     QImage grab() {
