@@ -11,6 +11,10 @@ vec3 normalOnRidge() {
 }
 
 Surface findSurface() {
+#ifdef ROUND
+    vec3 normal = vOutwards * inversesqrt(dot(vOutwards, vOutwards));
+#else
     vec3 normal = uSides == 3 ? normalOnRidge() : vOutwards * inversesqrt(dot(vOutwards, vOutwards));
+#endif
     return Surface(normal, clamp(dot(normal, uToViewer) / vSlope, 0.0, 1.0), vAngle);
 }

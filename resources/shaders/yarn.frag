@@ -31,7 +31,7 @@ void main() {
     float fill = max(0.0, dot(fibres.normal, uFill) * 0.71 + 0.29);
     float sky = 0.28 + 0.08 * dot(fibres.normal, uSky);
     vec3 own = colourHere(uColour);
-    vec3 shade = reach(open * edge, own);
+    vec3 shade = reach(open * edge * fibres.relief, own);
     vec3 light = vec3(0.977, 0.948, 0.900) * (key * (0.06 * edge + 0.94 * shade)) +
                  vec3(0.672, 0.739, 0.840) * ((0.20 * fill + sky) * (0.14 + 0.86 * shade));
 
@@ -46,7 +46,7 @@ void main() {
         light = vec3(0.45 + 0.55 * dot(light, vec3(0.333)));
         glint = 0.0;
     }
-    vec3 lit = (colour * light + glint) * reach(fibres.relief, own);
+    vec3 lit = colour * light + glint;
     lit = mix(lit, uAccent * (0.30 + 0.80 * key) * fibres.relief, 0.80 * vGlow);
     oColour = vec4(sqrt(clamp(lit, 0.0, 1.0)), 1.0);
 }

@@ -98,8 +98,8 @@ void FabricRenderer::Implementation::drawCarrier(const View& view, const Frustum
         }
         glMultiDrawElements(GL_TRIANGLE_STRIP, counts.data(), GL_UNSIGNED_INT, offsets.data(), pieces);
         glDisable(GL_CULL_FACE);
-        if (frame->style == DrawStyle::Yarn && detail.plies > 0 && view.hair) {
-            drawHair(view, frustum, carrier, radius, detail.plies);
+        if (frame->style == DrawStyle::Yarn && detail.hair > 0 && view.hair) {
+            drawHair(view, frustum, carrier, radius, detail.hair);
         }
     } else {
         glBindVertexArray(emptyArray);

@@ -6,8 +6,8 @@ namespace knittsim::render {
 
 namespace {
 
-/// From how many sides on a tube is round all around: what has plies is.
 constexpr int kRound = 8;
+constexpr int kRoundFarAway = 6; ///< what has plies is round all around
 
 Detail atLevel(Detail detail, DetailLevel level) {
     switch (level) {
@@ -20,7 +20,7 @@ Detail atLevel(Detail detail, DetailLevel level) {
         detail.plies = 0;
         break;
     case DetailLevel::Yarn:
-        detail.sides = std::max(detail.sides, kRound);
+        detail.sides = std::max(detail.sides, kRoundFarAway);
         detail.plies = 1;
         break;
     }
@@ -39,6 +39,7 @@ Detail detailAt(float diameterPixels, float diametersPerSegment, Quality quality
     const float pliesFrom = best ? 9.0F : 17.0F;
     Detail detail;
     detail.plies = std::clamp((diameterPixels - pliesFrom) / 8.0F, 0.0F, 1.0F);
+    detail.hair = detail.plies;
     detail.sides = diameterPixels < (best ? 4.0F : 7.0F) ? 0
                    : diameterPixels < pliesFrom          ? 3
                    : diameterPixels < 40.0F              ? kRound

@@ -15,6 +15,7 @@ struct Detail {
     int sides = 0;   ///< of the tube; 0: a band does, 3: a ridge towards the viewer
     int stride = 1;  ///< every how many nodes, a power of two up to kMostStride
     float plies = 0; ///< 0 hidden .. 1 fully shown
+    float hair = 0;  ///< likewise the loose fibres, which no fixed level brings nearer
 };
 
 /// Of the picture, which has more pixels than the window on fine screens.

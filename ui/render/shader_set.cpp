@@ -14,7 +14,7 @@ Result<ShaderSet> loadShaders() {
     const std::vector<const char*> tube{"nodes.glsl", "tube.vert"};
     const std::vector<const char*> band{"band_place.glsl", "nodes.glsl", "band.vert"};
     for (const Wanted& wanted :
-         {Wanted{set.pliedTube, tube, {"surface.glsl", "tube.glsl", "plies.glsl", "yarn.frag"}},
+         {Wanted{set.pliedTube, tube, {"round.glsl", "surface.glsl", "tube.glsl", "plies.glsl", "yarn.frag"}},
           {set.yarnTube, tube, {"surface.glsl", "tube.glsl", "no_plies.glsl", "yarn.frag"}},
           {set.yarnBand,
            band,
