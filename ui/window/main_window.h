@@ -87,24 +87,20 @@ protected:
 private:
     // main_window.cpp
     void buildCentre();
+    void showWorkspace();
+    void showGallery();
+    void setAppearance(document::Appearance appearance);
+
+    // main_window_document.cpp: files and programs that come, and the problems in them
     void connectDocument();
-    void connectFabric();
     void takeFile();
     void takeDocument();
     void takeFailure();
     void startSoon();
-    void takeFabric();
-    void takeFrame();
-    void takePins();
-    void takeYarnRun();
-    void takeDescription();
     void takeProblems();
     void showPlace(const Diagnostic& problem);
     void showLine(int line);
-    void showWorkspace();
-    void showGallery();
     void chooseFile();
-    void setAppearance(document::Appearance appearance);
 
     // main_window_chart.cpp
     void buildChartMenu();
@@ -141,18 +137,29 @@ private:
                        const QKeySequence& keys, const QString& iconName,
                        const std::function<void()>& action);
     void buildActions();
-    void buildFileMenu();
-    void buildEditMenu();
-    void buildViewMenu();
-    void buildMachineMenu();
-    void buildSimulateMenu();
-    void buildWindowMenu();
-    void buildHelpMenu();
     void buildToolBar();
     void takeRecentFiles();
     void takeActions();
 
-    // main_window_fabric.cpp: what is written over the fabric, and what of it leaves the program
+    // main_window_menus.cpp
+    void buildFileMenu();
+    void buildEditMenu();
+    void buildMachineMenu();
+    void buildSimulateMenu();
+    void buildWindowMenu();
+    void buildHelpMenu();
+
+    // main_window_view_menu.cpp
+    void buildViewMenu();
+
+    // main_window_fabric.cpp: what the fabric shows, what is written over it, and what of it leaves the
+    // program
+    void connectFabric();
+    void takeFabric();
+    void takeFrame();
+    void takePins();
+    void takeYarnRun();
+    void takeDescription();
     void buildOverlayMenu(QMenu* view);
     void markProblems();
     QString describeLoop(int loop) const;
