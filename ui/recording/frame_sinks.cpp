@@ -12,11 +12,9 @@ namespace knittsim::ui {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("knittsim::ui", text);
-}
-
 class PngSink : public FrameSink {
+    Q_DECLARE_TR_FUNCTIONS(knittsim::ui::PngSink)
+
 public:
     explicit PngSink(const QString& folder)
         : m_folder(folder), m_hidden(QFileInfo(folder).absolutePath() + QStringLiteral("/.knittsim-XXXXXX")) {
@@ -55,6 +53,8 @@ private:
 };
 
 class HandoutSink : public FrameSink {
+    Q_DECLARE_TR_FUNCTIONS(knittsim::ui::HandoutSink)
+
 public:
     HandoutSink(const QString& path, const QString& title) : m_path(path), m_title(title), m_file(path) {
         m_fine = m_file.open(QIODevice::WriteOnly);

@@ -56,6 +56,7 @@ MainWindow::MainWindow(std::unique_ptr<document::Document> document, QWidget* pa
     buildCentre();
     buildDocks();
     buildTeaching();
+    buildPlayer();
     buildActions();
     connectDocument();
     connectFabric();

@@ -34,6 +34,7 @@ class PhotographCard;
 class SimulationPanel;
 struct Photograph;
 class SourceView;
+class Speaker;
 class StatusLine;
 class StepPlayer;
 class TeachingBoard;
@@ -208,6 +209,13 @@ private:
     void takeLesson();
     void showGlossary();
 
+    // main_window_player.cpp: marks kept with the file, and the voice
+    void buildPlayer();
+    void buildSpeechAction(QMenu* menu);
+    void keepMarks();
+    void recallMarks();
+    void moveMarks();
+
     // main_window_recording.cpp
     void buildRecordingMenu(QMenu* menu);
     void record(const QString& path, std::vector<RecordedStep> steps);
@@ -237,6 +245,8 @@ private:
     int m_photographTurn = 0; ///< counts the files that have come
     HistoryCard* m_history = nullptr;
     StepPlayer* m_player = nullptr;
+    Speaker* m_speaker = nullptr;
+    QString m_marksKey; ///< of what the player's marks are; empty for what is not in a file
     PatternGrid* m_grid = nullptr;
     ChartEditor* m_chart = nullptr;
     QStackedWidget* m_patterns = nullptr; ///< grid or chart

@@ -31,6 +31,7 @@ void MainWindow::connectDocument() {
         m_watch.watch(m_document.path());
         m_views.moveTo(m_document.path());
         movePhotograph();
+        moveMarks();
     });
     connect(&m_watch, &document::FileWatch::changed, this, &MainWindow::takeForeignChange);
     connect(m_document.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::takeTitle);
@@ -100,6 +101,7 @@ void MainWindow::takeDocument() {
     }
     recallViews();
     recallPhotograph();
+    recallMarks();
     m_fabric->setFabric(nullptr, {}); // an empty view fits the next fabric
     showWorkspace();
 }

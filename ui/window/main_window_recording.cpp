@@ -1,5 +1,6 @@
 #include "ui/document/operation_text.h"
 #include "ui/recording/recorder.h"
+#include "ui/speech/speaker.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/lesson/lesson_panel.h"
 #include "ui/views/needle_beds/needle_beds.h"
@@ -109,6 +110,8 @@ void MainWindow::record(const QString& path, std::vector<RecordedStep> steps) {
                 : path.endsWith(QLatin1String(".pdf")) ? makeHandoutSink(path, title)
                                                        : makePngSink(path);
     m_player->setPlaying(false);
+    const bool speaks = m_speaker->isOn();
+    m_speaker->setOn(false);
     // Steps are shown as they are, not on their way.
     m_beds->setPlaying(true);
     m_beds->setSpeed(1000);
@@ -125,7 +128,8 @@ void MainWindow::record(const QString& path, std::vector<RecordedStep> steps) {
     progress->setWindowModality(Qt::WindowModal);
     progress->setMinimumDuration(0);
     progress->setAttribute(Qt::WA_DeleteOnClose);
-    const auto leave = [this, recorder, progress] {
+    const auto leave = [this, recorder, progress, speaks] {
+        m_speaker->setOn(speaks);
         m_beds->setPlaying(false);
         m_beds->setSpeed(m_player->speed());
         recorder->deleteLater();
