@@ -1,88 +1,75 @@
+#include "tests/gui/window/window_fixture.h"
 #include "ui/views/step_player/step_player.h"
-#include "ui/views/style/appearance.h"
 #include "ui/views/style/language.h"
-#include "ui/window/key_guard.h"
-#include "ui/window/main_window.h"
 
 #include <QAbstractItemView>
 #include <QApplication>
-#include <QFile>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 
 namespace knittsim::ui {
 
-using document::Document;
-
 /// What a teacher finds again: marks of a file, keys wherever the focus is, beds that fit.
-class ClassTest : public QObject {
+class ClassTest : public WindowFixture {
     Q_OBJECT
 
 private slots:
     void initTestCase() {
-        qputenv("KNITTSIM_CONFIG_DIR", m_folder.path().toUtf8());
-        applyAppearance(*qApp, document::Appearance::Light);
+        prepare();
         applyLanguage(*qApp, QStringLiteral("en"));
-        qApp->installEventFilter(&m_guard);
-        write("long.k", 40);
-        write("short.k", 8);
+        program("long.k", 40);
+        program("short.k", 8);
     }
 
-    void init() {
-        document::Session().clear();
-        openWindow();
-    }
+    void init() { beginTest(); }
 
-    void cleanup() { m_window.reset(); }
+    void cleanup() { endTest(); }
 
     void marksComeBackWithTheirFile() {
-        open("long.k");
+        openFile("long.k");
         for (const int step : {12, 30}) {
             document().setStep(step);
-            key(Qt::Key_B, Qt::ControlModifier);
+            press(Qt::Key_B, Qt::ControlModifier);
         }
         marks().setLoopFrom(5);
         marks().setLoopTo(20);
         document::StopRules rules;
         rules.set(machine::OperationKind::Xfer, true);
         marks().setRules(rules);
-        open("short.k");
+        openFile("short.k");
         QVERIFY(marks().bookmarks().empty());
         QVERIFY(!marks().loops());
         marks().setRules({});
         document().setStep(3);
-        key(Qt::Key_B, Qt::ControlModifier);
+        press(Qt::Key_B, Qt::ControlModifier);
         m_window->close();
         openWindow();
-        open("long.k");
+        openFile("long.k");
         QCOMPARE(marks().bookmarks(), (std::set<int>{12, 30}));
         QCOMPARE(marks().loopFrom(), 5);
         QCOMPARE(marks().loopTo(), 20);
         QVERIFY(marks().rules() == rules);
-        open("short.k");
+        openFile("short.k");
         QCOMPARE(marks().bookmarks(), (std::set<int>{3}));
         QVERIFY(!marks().loops());
         QVERIFY(marks().rules().empty());
     }
 
     void marksBehindTheEndOfAFileThatBecameShorterAreForgotten() {
-        open("long.k");
+        openFile("long.k");
         document().setStep(30);
-        key(Qt::Key_B, Qt::ControlModifier);
+        press(Qt::Key_B, Qt::ControlModifier);
         document().setStep(4);
-        key(Qt::Key_B, Qt::ControlModifier);
-        open("short.k");
-        write("long.k", 8);
-        open("long.k");
-        write("long.k", 40);
+        press(Qt::Key_B, Qt::ControlModifier);
+        openFile("short.k");
+        program("long.k", 8);
+        openFile("long.k");
+        program("long.k", 40);
         QCOMPARE(marks().bookmarks(), (std::set<int>{4}));
     }
 
     /// Outside of a class lists are walked with Up, Down, Home and End; all else steps the machine.
     void listsLeaveSpaceAndTheSidewaysKeysToThePlayer() {
-        open("long.k");
-        key(Qt::Key_F3);
+        openFile("long.k");
+        press(Qt::Key_F3);
         int tried = 0;
         for (auto* list : m_window->findChildren<QAbstractItemView*>()) {
             if (!list->isVisible() || list->focusPolicy() == Qt::NoFocus) {
@@ -109,36 +96,19 @@ private slots:
 
 private:
     StepPlayer& player() { return *m_window->findChild<StepPlayer*>(); }
-    Document& document() { return m_window->document(); }
     document::StepMarks& marks() { return player().marks(); }
-    void key(Qt::Key which, Qt::KeyboardModifiers with = {}) { QTest::keyClick(m_window.get(), which, with); }
 
-    void openWindow() {
-        m_window = std::make_unique<MainWindow>();
-        m_window->show();
-        m_window->activateWindow(); // keys go to the active window only
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    void openFile(const char* name) {
+        open([&] { m_window->openFile(m_folder.filePath(name)); });
     }
 
-    void open(const char* name) {
-        QSignalSpy opened(&document(), &Document::opened);
-        m_window->openFile(m_folder.filePath(name));
-        QTRY_COMPARE(opened.count(), 1);
-    }
-
-    void write(const char* name, int operations) {
+    void program(const char* name, int operations) {
         QByteArray text = ";!knitout-2\n;;Carriers: 1\nin 1\n";
         for (int i = 1; i < operations; ++i) {
             text += "knit + f" + QByteArray::number(i) + " 1\n";
         }
-        QFile file(m_folder.filePath(name));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(text + "out 1\n");
+        write(name, text + "out 1\n");
     }
-
-    QTemporaryDir m_folder;
-    KeyGuard m_guard;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 } // namespace knittsim::ui

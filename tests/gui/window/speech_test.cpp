@@ -1,17 +1,12 @@
+#include "tests/gui/window/window_fixture.h"
 #include "ui/speech/speaker.h"
 #include "ui/views/step_player/step_player.h"
-#include "ui/views/style/appearance.h"
 #include "ui/views/style/language.h"
 #include "ui/window/banner.h"
-#include "ui/window/key_guard.h"
-#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QElapsedTimer>
 #include <QLocale>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 
 namespace knittsim::ui {
 
@@ -52,38 +47,34 @@ private:
 
 } // namespace
 
-class SpeechTest : public QObject {
+class SpeechTest : public WindowFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        qputenv("KNITTSIM_CONFIG_DIR", m_folder.path().toUtf8());
-        applyAppearance(*qApp, document::Appearance::Light);
-        qApp->installEventFilter(&m_guard);
-    }
+    void initTestCase() { prepare(); }
 
     void init() {
-        document::Session().clear();
         applyLanguage(*qApp, QStringLiteral("en"));
-        openWindow();
+        beginTest();
+        listen();
     }
 
     void cleanup() {
-        m_window.reset();
+        endTest();
         applyLanguage(*qApp, QStringLiteral("en"));
     }
 
     void isSilentUntilItIsAskedFor() {
-        QVERIFY(!action()->isChecked());
+        QVERIFY(!speech()->isChecked());
         document().setStep(130);
         QVERIFY(m_heard.sentences.isEmpty());
-        QVERIFY(action()->toolTip().contains("Shift+S"));
+        QVERIFY(speech()->toolTip().contains("Shift+S"));
     }
 
     void aStepIsSpokenWhenItHasSettled() {
         on();
         QCOMPARE(m_heard.sentences.size(), 1); // where it was switched on
-        key(Qt::Key_Right);
+        press(Qt::Key_Right);
         QVERIFY2(!m_heard.speaking, "the next step cuts the sentence off");
         QTRY_COMPARE(m_heard.sentences.size(), 2);
         QVERIFY2(m_heard.sentences.back().startsWith("Knit:"), qPrintable(m_heard.sentences.back()));
@@ -109,7 +100,7 @@ private slots:
         on();
         m_voice->end(); // of where it was switched on
         player().setSpeed(1);
-        key(Qt::Key_Space);
+        press(Qt::Key_Space);
         QTRY_COMPARE(document().step(), 129);
         QTRY_VERIFY(m_heard.speaking);
         QElapsedTimer operation;
@@ -120,15 +111,15 @@ private slots:
         QTRY_COMPARE(document().step(), 130);
         QTRY_VERIFY(m_heard.speaking);
         QVERIFY(player().isPlaying());
-        key(Qt::Key_Space);
+        press(Qt::Key_Space);
         QVERIFY(!m_heard.speaking);
         QVERIFY(!player().isPlaying());
     }
 
     void speaksTheLanguageOfTheWindow() {
-        m_window.reset();
         applyLanguage(*qApp, QStringLiteral("de"));
         openWindow();
+        listen();
         document().setStep(130);
         on();
         QCOMPARE(m_heard.languages.back(), QLocale::German);
@@ -138,49 +129,39 @@ private slots:
     void isRememberedAndToldAboutWhenItFails() {
         on();
         QCOMPARE(document::Session().value("preferences/speech"), QByteArray("1"));
-        key(Qt::Key_S, Qt::ShiftModifier);
+        press(Qt::Key_S, Qt::ShiftModifier);
         QVERIFY(!m_heard.speaking);
         QCOMPARE(document::Session().value("preferences/speech"), QByteArray("0"));
         m_heard.trouble = VoiceTrouble::NoLanguage;
-        action()->setEnabled(true);
-        action()->trigger();
-        QVERIFY(!action()->isChecked());
+        speech()->setEnabled(true);
+        speech()->trigger();
+        QVERIFY(!speech()->isChecked());
         QCOMPARE(m_window->findChild<Banner*>()->text(), Speaker::troubleText(VoiceTrouble::NoLanguage));
     }
 
 private:
-    document::Document& document() { return m_window->document(); }
     StepPlayer& player() { return *m_window->findChild<StepPlayer*>(); }
-    QAction* action() { return m_window->findChild<QAction*>(QStringLiteral("actionSpeech")); }
-    void key(Qt::Key which, Qt::KeyboardModifiers with = {}) { QTest::keyClick(m_window.get(), which, with); }
+    QAction* speech() { return action(QStringLiteral("actionSpeech")); }
 
     /// Where Qt has no engine the action is off; the fake does not need one.
     void on() {
-        action()->setEnabled(true);
-        key(Qt::Key_S, Qt::ShiftModifier);
-        QVERIFY(action()->isChecked());
+        speech()->setEnabled(true);
+        press(Qt::Key_S, Qt::ShiftModifier);
+        QVERIFY(speech()->isChecked());
     }
 
-    void openWindow() {
+    /// The window that is there gets the fake, and a program.
+    void listen() {
         m_heard = {};
-        m_window = std::make_unique<MainWindow>();
         auto voice = std::make_unique<FakeVoice>(m_heard);
         m_voice = voice.get();
         m_window->findChild<Speaker*>()->setVoice(std::move(voice));
-        m_window->show();
-        m_window->activateWindow(); // keys go to the active window only
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-        QSignalSpy opened(&document(), &document::Document::opened);
-        m_window->openSample(QStringLiteral("plain"));
-        QTRY_COMPARE(opened.count(), 1);
+        open([this] { m_window->openSample(QStringLiteral("plain")); });
         document().setStep(128);
     }
 
-    QTemporaryDir m_folder;
-    KeyGuard m_guard;
     FakeVoice::Heard m_heard;
     FakeVoice* m_voice = nullptr;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 } // namespace knittsim::ui
