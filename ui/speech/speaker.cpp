@@ -12,7 +12,10 @@ Speaker::Speaker(document::Document& document, QObject* parent) : QObject(parent
     setObjectName(QStringLiteral("speaker"));
     m_settling.setSingleShot(true);
     m_settling.setInterval(kSettleMs);
+    m_longest.setSingleShot(true);
+    m_longest.setInterval(kLongestMs);
     connect(&m_settling, &QTimer::timeout, this, &Speaker::speak);
+    connect(&m_longest, &QTimer::timeout, this, &Speaker::tellSpeaking);
     connect(&m_document, &document::Document::stepChanged, this, &Speaker::takeStep);
     connect(&m_document, &document::Document::fileChanged, this, &Speaker::takeStep);
     setVoice(platformVoice());
@@ -77,6 +80,7 @@ void Speaker::speak() {
     }
     const QString sentence = step == 0 ? tr("The empty machine.")
                                        : document::operationSentence(file->timeline->program(), step - 1);
+    m_longest.start();
     const VoiceTrouble trouble = m_voice->say(sentence, QLocale());
     if (trouble != VoiceTrouble::None) {
         m_on = false;
@@ -87,12 +91,13 @@ void Speaker::speak() {
 
 void Speaker::hush() {
     m_settling.stop();
+    m_longest.stop();
     m_voice->stop();
     tellSpeaking();
 }
 
 void Speaker::tellSpeaking() {
-    const bool speaking = m_on && m_voice->speaking();
+    const bool speaking = m_on && m_longest.isActive() && m_voice->speaking();
     if (std::exchange(m_told, speaking) != speaking) {
         emit speakingChanged(speaking);
     }

@@ -15,6 +15,8 @@ class Speaker : public QObject {
 public:
     /// A step that stays this long is spoken.
     static constexpr int kSettleMs = 450;
+    /// No sentence takes longer: an engine without sound may never say that it is done.
+    static constexpr int kLongestMs = 12000;
 
     explicit Speaker(document::Document& document, QObject* parent = nullptr);
 
@@ -44,6 +46,7 @@ private:
     document::Document& m_document;
     std::unique_ptr<Voice> m_voice;
     QTimer m_settling;
+    QTimer m_longest; ///< runs while a sentence may be under way
     bool m_on = false;
     bool m_told = false; ///< by speakingChanged
     int m_spoken = -1;   ///< the step whose sentence was begun last

@@ -1,4 +1,5 @@
 #include "tests/gui/window/window_fixture.h"
+#include "ui/views/needle_beds/needle_beds.h"
 #include "ui/views/step_player/step_player.h"
 #include "ui/views/style/language.h"
 
@@ -64,6 +65,27 @@ private slots:
         openFile("long.k");
         program("long.k", 40);
         QCOMPARE(marks().bookmarks(), (std::set<int>{4}));
+    }
+
+    /// Twenty needles fit, though only just: the page is not turned to where there is no fabric.
+    void theBedsShowAllOfTheFabricWhereItFits() {
+        program("twenty.k", 21);
+        openFile("twenty.k");
+        NeedleBeds beds(document());
+        beds.resize(760, 330);
+        beds.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&beds));
+        for (int step = 1; step <= document().operationCount(); ++step) {
+            document().setStep(step);
+            QVERIFY2(beds.placeOf({machine::Bed::Front, 1}).x() > 60, qPrintable(QString::number(step)));
+            QVERIFY2(beds.placeOf({machine::Bed::Front, 20}).x() < 490, qPrintable(QString::number(step)));
+        }
+        beds.resize(620, 330); // not all of them, but the one that works
+        for (int step = 2; step < document().operationCount(); ++step) {
+            document().setStep(step);
+            const int x = beds.placeOf({machine::Bed::Front, step - 1}).x();
+            QVERIFY2(x > 60 && x < 400, qPrintable(QString::number(step)));
+        }
     }
 
     /// Outside of a class lists are walked with Up, Down, Home and End; all else steps the machine.
