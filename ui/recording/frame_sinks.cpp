@@ -81,9 +81,10 @@ public:
         const QRect page(QPoint(0, 0), QSize(m_writer->width(), m_writer->height()));
         const int titleHigh = page.height() / 24;
         QFont face = m_painter.font();
-        face.setPointSizeF(11);
-        m_painter.setFont(face);
         if (slot == 0) {
+            face.setPointSizeF(15);
+            face.setBold(true);
+            m_painter.setFont(face);
             m_painter.drawText(QRect(0, 0, page.width(), titleHigh), Qt::AlignLeft | Qt::AlignTop, m_title);
         }
         const int high = (page.height() - titleHigh) / kOnPage;
@@ -93,6 +94,7 @@ public:
         size.scale(QSize(box.width(), box.height() - text.height() - 20), Qt::KeepAspectRatio);
         m_painter.drawImage(QRect(box.topLeft(), size), picture);
         face.setPointSizeF(12);
+        face.setBold(false);
         m_painter.setFont(face);
         m_painter.drawText(text, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
                            QStringLiteral("%1. %2").arg(m_count).arg(words));

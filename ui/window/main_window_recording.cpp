@@ -8,6 +8,7 @@
 #include "ui/window/banner.h"
 #include "ui/window/main_window.h"
 
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -112,6 +113,10 @@ void MainWindow::record(const QString& path, std::vector<RecordedStep> steps) {
     m_player->setPlaying(false);
     const bool speaks = m_speaker->isOn();
     m_speaker->setOn(false);
+    // What the lesson says at one stop is not true at the others; a hand-out writes it under each picture.
+    const bool explains = m_lessonDock->isVisible();
+    m_lessonDock->hide();
+    m_banner->hide();
     // Steps are shown as they are, not on their way.
     m_beds->setPlaying(true);
     m_beds->setSpeed(1000);
@@ -128,8 +133,9 @@ void MainWindow::record(const QString& path, std::vector<RecordedStep> steps) {
     progress->setWindowModality(Qt::WindowModal);
     progress->setMinimumDuration(0);
     progress->setAttribute(Qt::WA_DeleteOnClose);
-    const auto leave = [this, recorder, progress, speaks] {
+    const auto leave = [this, recorder, progress, speaks, explains] {
         m_speaker->setOn(speaks);
+        m_lessonDock->setVisible(explains);
         m_beds->setPlaying(false);
         m_beds->setSpeed(m_player->speed());
         recorder->deleteLater();
