@@ -70,7 +70,8 @@ Document::Document(QObject* parent)
     connect(&m_ladders, &LadderRunner::stepped, this, &Document::takeLadderStep);
     connect(&m_prefixes, &PrefixBuilder::built, this,
             [this](const std::shared_ptr<const PrefixFabric>& prefix) {
-                m_prefix = prefix;
+                // A large one takes a while to free; the window need not wait for it.
+                QThreadPool::globalInstance()->start([old = std::exchange(m_prefix, prefix)] {});
                 m_prefixFrame.reset();
                 emit fabricShown();
                 updateShownFrame();

@@ -141,7 +141,7 @@ QPixmap pictureOf(const pattern::Chart& part, const QSize& size, double ratio, c
 }
 
 QString stitchName(Stitch stitch) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("Stitch", text); };
+    const auto tr = [](const char* text) { return QCoreApplication::translate("knittsim::ui", text); };
     switch (stitch) {
     case Stitch::Knit:
         return tr("Knit: stitch on the front bed");

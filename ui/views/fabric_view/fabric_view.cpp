@@ -22,6 +22,12 @@ FabricView::FabricView(QWidget* parent) : QWidget(parent), m(std::make_unique<Im
     m->content.camera.setViewport(width(), height());
     m->makeCanvas();
     m->overlay = new Overlay(this, m->content, m->annotations);
+    m->overlay->onPaint([this] {
+        const bool fits = m->shownFabric == m->fabric; // else it is the picture before
+        if (fits && (m->annotations.dimensions || m->annotations.guides)) {
+            m->measure();
+        }
+    });
     m->overlay->setMessage(m->glReason.isEmpty() ? tr("No fabric yet") : m->glReason);
     m->placeChildren();
 }

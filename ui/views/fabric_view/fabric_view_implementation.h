@@ -28,6 +28,7 @@ struct FabricView::Implementation {
     std::vector<int> pins;                                ///< bonding points of `fabric`
     std::shared_ptr<const render::SceneFrame> wholeScene; ///< of which content.scene may be a part
     Annotations annotations;
+    bool measured = false; ///< size and lattice of the annotations are those of `places`
     std::array<QPointF, 2> photoPoints;  ///< pixels, while a photograph is aligned
     std::array<QPointF, 2> fabricPoints; ///< mm
     std::vector<LoopProblem> problems;   ///< of `fabric`
@@ -73,6 +74,7 @@ struct FabricView::Implementation {
     std::optional<Vec3f> placeOfLoop(int loop) const;
     void takePlaces(std::span<const float> positions);
     void annotate();
+    void measure();
     void alignClick(QPointF where);
     void showParts();
     std::optional<Vec3f> tapePlaceAt(QPointF where) const;

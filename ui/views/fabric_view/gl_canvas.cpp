@@ -27,7 +27,7 @@ QSurfaceFormat wantedFormat() {
 }
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("knittsim::ui::FabricView", text);
+    return QCoreApplication::translate("knittsim::ui", text);
 }
 
 bool isSoftware(const QString& renderer) {
@@ -68,6 +68,8 @@ QString whyNoContext(bool mayBeSoftware) {
 } // namespace
 
 class GlCanvas final : public QOpenGLWidget, public Canvas {
+    Q_DECLARE_TR_FUNCTIONS(knittsim::ui::GlCanvas)
+
 public:
     GlCanvas(QWidget* parent, CanvasContent& content, std::function<void(QString)> failed)
         : QOpenGLWidget(parent), m_content(content), m_failed(std::move(failed)) {

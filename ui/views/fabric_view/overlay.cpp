@@ -86,6 +86,9 @@ std::vector<Overlay::Word> Overlay::words() const {
 }
 
 void Overlay::paintEvent(QPaintEvent*) {
+    if (m_prepare) {
+        m_prepare();
+    }
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_content.scene) {

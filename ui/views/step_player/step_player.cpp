@@ -238,6 +238,10 @@ void StepPlayer::setPlaying(bool on) {
 }
 
 void StepPlayer::tick() {
+    if (m_waiting) {
+        m_sinceTick.restart();
+        return;
+    }
     const int due = m_playback.advance(static_cast<double>(m_sinceTick.nsecsElapsed()) * 1e-6);
     m_sinceTick.restart();
     const auto next = m_marks.play(m_finder, m_document.step(), due, m_document.operationCount());
