@@ -15,7 +15,7 @@ constexpr int kMostRounds = 24;
 constexpr int kIdleRounds = 3; ///< without fewer wrong crossings than ever before
 constexpr int kDepthRounds = 12;
 constexpr int kLengthRounds = 2;    ///< of these
-constexpr float kLeastGap = 0.3F;   ///< diameters between centrelines
+constexpr float kLeastGap = 0.15F;  ///< diameters between centrelines
 constexpr float kEnough = 0.9F;     ///< of that
 constexpr float kAsStored = 0.005F; ///< of a length, half of what is asked for
 
@@ -24,7 +24,7 @@ constexpr float kAsStored = 0.005F; ///< of a length, half of what is asked for
 int YarnCurveBuilder::makeExact(const fabric::Fabric& fabric, std::span<const float> positions) {
     for (int round = 0; round < kFitRounds; ++round) {
         update(positions);
-        m_plan.fitArcs(m_frames, spanLengths(m_curves));
+        m_plan.fitArcs(m_frames, pieceLengths(fabric));
     }
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
     update(positions);
@@ -40,6 +40,22 @@ int YarnCurveBuilder::makeExact(const fabric::Fabric& fabric, std::span<const fl
         audited = audit(fabric);
     }
     return fitDepth(fabric, std::move(audited));
+}
+
+/// By bonding point: mm of the curve from there to the next one, each as much too long or too short as the
+/// whole piece of yarn between feet and heads is: where its crossings lie along it does not matter.
+std::vector<double> YarnCurveBuilder::pieceLengths(const fabric::Fabric& fabric) const {
+    std::vector<double> lengths = spanLengths(m_curves);
+    for (const YarnPiece& piece : yarnPieces(fabric, m_curves)) {
+        const auto first = static_cast<std::size_t>(piece.firstNode);
+        const auto last = static_cast<std::size_t>(piece.lastNode);
+        const double ratio = static_cast<double>((m_curves.arc[last] - m_curves.arc[first]) / piece.storedMm);
+        for (auto p = static_cast<std::size_t>(m_curves.point[first]);
+             piece.storedMm > 0 && p < static_cast<std::size_t>(m_curves.point[last]); ++p) {
+            lengths[p] = ratio * fabric.lengths[p];
+        }
+    }
+    return lengths;
 }
 
 /// Only in depth, so that what is in order stays. Strands that lie exactly behind each other may cross
