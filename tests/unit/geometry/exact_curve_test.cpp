@@ -62,8 +62,9 @@ double accountedFor(const CurveReport& report) {
 }
 
 /// `least`: share of the pieces of yarn that are as long as stored. Turns at the selvedges and floats under
-/// held loops are longer on their shortest way. What is left over lies in layers that hold each other apart.
-void expectExact(const fs::path& file, double least) {
+/// held loops are longer on their shortest way. `leastWithThese`: share with those of which this can be told;
+/// what is left over lies in layers that hold each other apart.
+void expectExact(const fs::path& file, double least, double leastWithThese) {
     const CurveReport report = exact(file).report;
     const std::string name = file.parent_path().filename() / file.filename();
     EXPECT_TRUE(report.crossings.faults.empty()) << name << " of " << report.crossings.expected;
@@ -71,12 +72,12 @@ void expectExact(const fs::path& file, double least) {
     EXPECT_GT(report.nearest.mm, 0) << name;
     EXPECT_GT(report.crossings.expected, 0U) << name;
     EXPECT_GE(asStored(report), least) << name;
-    EXPECT_GE(accountedFor(report), 0.99) << name;
+    EXPECT_GE(accountedFor(report), leastWithThese) << name;
 }
 
 TEST(ExactCurve, EverySampleHasTheCrossingsThatItsBooksName) {
     for (const fs::path& file : programsIn(fs::path(KNITTSIM_SOURCE_DIR) / "resources" / "patterns")) {
-        expectExact(file, 0.97);
+        expectExact(file, 0.97, 0.998);
     }
 }
 
@@ -86,7 +87,7 @@ TEST(ExactCurve, EveryProgramFromAMachineHasTheCrossingsThatItsBooksName) {
         GTEST_SKIP() << "no programs in " << test::machineData();
     }
     for (const fs::path& file : files) {
-        expectExact(file, 0.75);
+        expectExact(file, 0.75, 0.96);
     }
 }
 
