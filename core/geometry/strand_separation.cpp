@@ -15,7 +15,8 @@ constexpr int kMostRounds = 24;
 constexpr int kIdleRounds = 3; ///< without fewer wrong crossings than ever before
 constexpr int kDepthRounds = 12;
 constexpr int kLengthRounds = 2;    ///< of these
-constexpr float kLeastGap = 0.15F;  ///< diameters between centrelines
+constexpr float kWantedGap = 0.3F;  ///< diameters between centrelines
+constexpr float kLeastGap = 0.5F;   ///< of that, where the yarn is to be as long as stored
 constexpr float kEnough = 0.9F;     ///< of that
 constexpr float kAsStored = 0.005F; ///< of a length, half of what is asked for
 
@@ -90,8 +91,8 @@ YarnCurveBuilder::Audited YarnCurveBuilder::audit(const fabric::Fabric& fabric) 
 }
 
 /// Between the centrelines of two strands that cross, mm.
-float YarnCurveBuilder::leastGap(const ProjectedCrossing& crossing) const {
-    return kLeastGap * 0.5F * (diameterAt(crossing.over) + diameterAt(crossing.under));
+float YarnCurveBuilder::wantedGap(const ProjectedCrossing& crossing) const {
+    return kWantedGap * 0.5F * (diameterAt(crossing.over) + diameterAt(crossing.under));
 }
 
 /// Moves the strands of every crossing that is not as it should be half the missing distance each. Where
@@ -118,7 +119,7 @@ std::size_t YarnCurveBuilder::raise(const Audited& audited) {
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         const ProjectedCrossing& c = crossings[i];
-        const float least = leastGap(c);
+        const float least = wantedGap(c);
         const float missing = least - static_cast<float>(order[i]) * c.gapMm;
         if (order[i] == 0 || missing <= 0) {
             continue;
@@ -150,7 +151,7 @@ YarnCurveBuilder::Orders YarnCurveBuilder::ordersOf(const Audited& audited) cons
     wanted.orders.reserve(crossings.size());
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         const ProjectedCrossing& c = crossings[i];
-        const float least = leastGap(c);
+        const float least = kLeastGap * wantedGap(c);
         if (order[i] < 0) {
             wanted.orders.push_back({c.under, c.over, c.underShare, c.overShare, least});
             ++wanted.wrong;

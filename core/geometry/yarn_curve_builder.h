@@ -51,7 +51,7 @@ private:
     std::vector<double> pieceLengths(const fabric::Fabric& fabric) const;
     int fitDepth(const fabric::Fabric& fabric, Audited audited);
     std::size_t raise(const Audited& audited);
-    float leastGap(const ProjectedCrossing& crossing) const;
+    float wantedGap(const ProjectedCrossing& crossing) const;
     std::size_t controlAt(std::int32_t node) const;
     Orders ordersOf(const Audited& audited) const;
     std::vector<DepthFit::Spline> splines() const;
