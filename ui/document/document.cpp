@@ -67,6 +67,7 @@ Document::Document(QObject* parent)
             m_yarnRun.clear();
         }
     });
+    connect(this, &Document::activityChanged, this, &Document::followWithYarn);
     connect(&m_ladders, &LadderRunner::stepped, this, &Document::takeLadderStep);
     connect(&m_prefixes, &PrefixBuilder::built, this,
             [this](const std::shared_ptr<const PrefixFabric>& prefix) {
@@ -433,6 +434,7 @@ void Document::start() {
     m_bridge.post(command::Start{});
 }
 void Document::pause() {
+    m_yarnFollows = false;
     m_bridge.post(command::Pause{});
 }
 void Document::stepSimulation() {
@@ -440,10 +442,12 @@ void Document::stepSimulation() {
     m_bridge.post(command::Step{});
 }
 void Document::stop() {
+    m_yarnFollows = false;
     m_bridge.post(command::Stop{});
 }
 
 void Document::settleYarn() {
+    m_yarnFollows = false;
     if (m_yarnRun.running()) {
         m_yarnRun.pause();
     } else if (m_yarnRun.shape() && !m_yarnRun.shape()->finished) {
