@@ -2,65 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
-    <name>ExportDialog</name>
-    <message>
-        <source>Picture (PNG)</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>What you see, at any size.</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>Drawing in three strokes (SVG)</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>Lines in millimetres; at every crossing the front yarn lies on top.</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>Geometry, glTF binary (GLB)</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>A closed tube for each yarn, in metres, with its colour. One file.</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>Geometry, glTF text (GLTF)</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>As the binary form, a third larger.</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>Geometry, Wavefront (OBJ)</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>A closed tube for each yarn, in millimetres; colours in an MTL file beside it.</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>Yarn curves (BCC)</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>The middle of each yarn as a curve, in millimetres.</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>Bonding points (CSV)</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>A line for each bonding point: yarn, role, needle, place in millimetres.</source>
-        <translation type="unfinished" />
-    </message>
-</context>
-<context>
     <name>FabricView</name>
     <message>
         <source>%1 mm</source>
@@ -1134,6 +1075,10 @@ MIT licence. Copyright the KnittSim authors.</source>
         <translation>Stric&amp;kart der Farben …</translation>
     </message>
     <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
         <source>How the colours are knitted: floats, intarsia, a birdseye or ladder back (%1)</source>
         <translation>Wie die Farben gestrickt werden: Flottungen, Intarsie, Pfauenaugen- oder Leiter-Rückseite (%1)</translation>
     </message>
@@ -1410,6 +1355,78 @@ MIT licence. Copyright the KnittSim authors.</source>
     <message>
         <source>This file exists. Export once more to replace it, or choose another name.</source>
         <translation type="unfinished" />
+    </message>
+    <message>
+        <source>As shown: %1.</source>
+        <translation>Wie gezeigt: %1.</translation>
+    </message>
+    <message>
+        <source>What the section cuts away is written too.</source>
+        <translation>Was der Schnitt wegnimmt, wird mitgeschrieben.</translation>
+    </message>
+    <message>
+        <source>Picture (PNG)</source>
+        <translation>Bild (PNG)</translation>
+    </message>
+    <message>
+        <source>What you see, at any size.</source>
+        <translation>Was zu sehen ist, in jeder Größe.</translation>
+    </message>
+    <message>
+        <source>Drawing in three strokes (SVG)</source>
+        <translation>Zeichnung in drei Strichen (SVG)</translation>
+    </message>
+    <message>
+        <source>Lines in millimetres; at every crossing the front yarn lies on top.</source>
+        <translation>Linien in Millimetern; an jeder Kreuzung liegt das vordere Garn oben.</translation>
+    </message>
+    <message>
+        <source>Geometry, glTF binary (GLB)</source>
+        <translation>Geometrie, glTF binär (GLB)</translation>
+    </message>
+    <message>
+        <source>A closed tube for each yarn, in metres, with its colour. One file.</source>
+        <translation>Eine geschlossene Röhre je Garn, in Metern, mit seiner Farbe. Eine Datei.</translation>
+    </message>
+    <message>
+        <source>Geometry, glTF text (GLTF)</source>
+        <translation>Geometrie, glTF als Text (GLTF)</translation>
+    </message>
+    <message>
+        <source>As the binary form, a third larger.</source>
+        <translation>Wie die binäre Form, um ein Drittel größer.</translation>
+    </message>
+    <message>
+        <source>Geometry, Wavefront (OBJ)</source>
+        <translation>Geometrie, Wavefront (OBJ)</translation>
+    </message>
+    <message>
+        <source>A closed tube for each yarn, in millimetres; colours in an MTL file beside it.</source>
+        <translation>Eine geschlossene Röhre je Garn, in Millimetern; Farben in einer MTL-Datei daneben.</translation>
+    </message>
+    <message>
+        <source>Yarn curves (BCC)</source>
+        <translation>Garnkurven (BCC)</translation>
+    </message>
+    <message>
+        <source>The middle of each yarn as a curve, in millimetres.</source>
+        <translation>Die Mitte jedes Garns als Kurve, in Millimetern.</translation>
+    </message>
+    <message>
+        <source>Bonding points (CSV)</source>
+        <translation>Bindungspunkte (CSV)</translation>
+    </message>
+    <message>
+        <source>A line for each bonding point: yarn, role, needle, place in millimetres.</source>
+        <translation>Eine Zeile je Bindungspunkt: Garn, Rolle, Nadel, Ort in Millimetern.</translation>
+    </message>
+    <message>
+        <source>Pictures of the settling (folder of PNG)</source>
+        <translation>Bilder vom Setzen (Ordner mit PNG)</translation>
+    </message>
+    <message>
+        <source>From the machine to rest, seen from one place: 0001.png, 0002.png, ...</source>
+        <translation>Von der Maschine bis zur Ruhe, von einem Ort gesehen: 0001.png, 0002.png, ...</translation>
     </message>
 </context>
 <context>
@@ -2433,6 +2450,54 @@ MIT licence. Copyright the KnittSim authors.</source>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
+    <message>
+        <source>&amp;Detail of the yarn</source>
+        <translation>&amp;Feinheit des Garns</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>&amp;Automatisch</translation>
+    </message>
+    <message>
+        <source>As fine as the width of the yarn on the screen can show</source>
+        <translation>So fein, wie die Breite des Garns auf dem Bildschirm es zeigen kann</translation>
+    </message>
+    <message>
+        <source>Full &amp;yarn</source>
+        <translation>Volles &amp;Garn</translation>
+    </message>
+    <message>
+        <source>Plies and fibres at any distance; the slowest</source>
+        <translation>Zwirn und Fasern in jeder Entfernung; am langsamsten</translation>
+    </message>
+    <message>
+        <source>Plain &amp;tubes</source>
+        <translation>Glatte &amp;Röhren</translation>
+    </message>
+    <message>
+        <source>Round yarn without plies at any distance</source>
+        <translation>Rundes Garn ohne Zwirn in jeder Entfernung</translation>
+    </message>
+    <message>
+        <source>&amp;Strokes</source>
+        <translation>&amp;Striche</translation>
+    </message>
+    <message>
+        <source>Flat bands at any distance; the fastest</source>
+        <translation>Flache Bänder in jeder Entfernung; am schnellsten</translation>
+    </message>
+    <message>
+        <source>full yarn</source>
+        <translation>volles Garn</translation>
+    </message>
+    <message>
+        <source>plain tubes</source>
+        <translation>glatte Röhren</translation>
+    </message>
+    <message>
+        <source>strokes</source>
+        <translation>Striche</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::NeedleBeds</name>
@@ -2621,6 +2686,10 @@ MIT licence. Copyright the KnittSim authors.</source>
     <message>
         <source>wale</source>
         <translation>Stäbchen</translation>
+    </message>
+    <message>
+        <source>%1 mm (%2 in)</source>
+        <translation>%1 mm (%2 in)</translation>
     </message>
 </context>
 <context>
@@ -3018,6 +3087,14 @@ MIT licence. Copyright the KnittSim authors.</source>
         <source>%1 stitches</source>
         <translation>%1 Maschen</translation>
     </message>
+    <message>
+        <source>Level of detail that you chose (View &gt; Detail of the yarn)</source>
+        <translation>Feinheit, die Sie gewählt haben (Ansicht &gt; Feinheit des Garns)</translation>
+    </message>
+    <message>
+        <source>Level of detail drawn, chosen by the width of the yarn on the screen</source>
+        <translation>Gezeichnete Feinheit, nach der Breite des Garns auf dem Bildschirm gewählt</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::StepPlayer</name>
@@ -3377,6 +3454,92 @@ MIT licence. Copyright the KnittSim authors.</source>
     <message>
         <source>course %1</source>
         <translation>Reihe %1</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::ViewsDialog</name>
+    <message>
+        <source>Double click shows a view, F2 renames it.</source>
+        <translation>Doppelklick zeigt eine Ansicht, F2 benennt sie um.</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Named views</source>
+        <translation>Benannte Ansichten</translation>
+    </message>
+    <message>
+        <source>Double click shows a view, F2 renames it</source>
+        <translation>Doppelklick zeigt eine Ansicht, F2 benennt sie um</translation>
+    </message>
+    <message>
+        <source>Puts the camera there (Enter)</source>
+        <translation>Stellt die Kamera dorthin (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Gives the view another name (F2)</source>
+        <translation>Gibt der Ansicht einen anderen Namen (F2)</translation>
+    </message>
+    <message>
+        <source>Forgets the view</source>
+        <translation>Vergisst die Ansicht</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::YarnChoiceDialog</name>
+    <message>
+        <source>instead of %1, %2 mm thick</source>
+        <translation>statt %1, %2 mm dick</translation>
+    </message>
+    <message>
+        <source>Compare with another yarn</source>
+        <translation>Mit einem anderen Garn vergleichen</translation>
+    </message>
+    <message>
+        <source>Whose yarn is exchanged</source>
+        <translation>Wessen Garn getauscht wird</translation>
+    </message>
+    <message>
+        <source>The yarn of the fabric beside</source>
+        <translation>Das Garn des Gestricks daneben</translation>
+    </message>
+    <message>
+        <source>All carriers, each in its colour</source>
+        <translation>Alle Fadenführer, jeder in seiner Farbe</translation>
+    </message>
+    <message>
+        <source>Carrier %1: %2</source>
+        <translation>Fadenführer %1: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleichen</translation>
+    </message>
+    <message>
+        <source>Settles the same program in this yarn beside (Enter)</source>
+        <translation>Lässt dasselbe Programm in diesem Garn daneben zur Ruhe kommen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>&amp;Exchange:</source>
+        <translation>&amp;Tauschen:</translation>
+    </message>
+    <message>
+        <source>&amp;Yarn:</source>
+        <translation>&amp;Garn:</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3 mm thick</source>
+        <translation>%1, %2, %3 mm dick</translation>
     </message>
 </context>
 <context>

@@ -248,12 +248,6 @@ private:
     void setPoint(fabric::PointIndex point);
     fabric::PointIndex firstPointOf(LoopIndex loop) const;
     void applyYarn(int carrier, const yarn::Yarn& yarn);
-    void startYarn();
-    void followWithYarn();
-    void pin(fabric::PointIndex point, bool pinned);
-    void forgetPins();
-    /// -1 where the whole fabric has none, or not yet.
-    fabric::EntryIndex wholeEntryOf(fabric::PointIndex point) const;
     bool showsPrefix() const { return m_prefix != nullptr; }
     void updateShownFrame();
 
@@ -269,6 +263,7 @@ private:
     void rebuild();
     void takeRebuilt(const std::shared_ptr<const OpenedFile>& file);
     void update(const std::shared_ptr<const OpenedFile>& file);
+    void followWithYarn();
 
     // document_ladder.cpp
     void countLoops();
@@ -279,6 +274,13 @@ private:
     std::vector<float> presentPlaces() const;
     std::vector<float> placesOf(const std::vector<fabric::EntryIndex>& entries) const;
     void showWhole(std::shared_ptr<const fabric::Fabric> fabric, std::vector<float> places);
+
+    // document_simulation.cpp
+    void startYarn();
+    void pin(fabric::PointIndex point, bool pinned);
+    void forgetPins();
+    /// -1 where the whole fabric has none, or not yet.
+    fabric::EntryIndex wholeEntryOf(fabric::PointIndex point) const;
 
     std::shared_ptr<const yarn::YarnLibrary> m_library;
     Opener m_opener;

@@ -158,6 +158,10 @@ private:
     QString describeLoop(int loop) const;
     void exportShown();
 
+    // main_window_detail.cpp
+    void buildDetailMenu(QMenu* view);
+    void takeDetail();
+
     // main_window_compare.cpp
     void buildCompareMenu(QMenu* view);
     void takeCompareActions();

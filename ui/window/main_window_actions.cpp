@@ -198,6 +198,7 @@ void MainWindow::buildViewMenu() {
     QAction* hair = addChoice(menu, nullptr, "actionHair", tr("Fu&zz of hairy yarn"), Qt::Key_Z, {}, [] {});
     hair->setToolTip(tr("Loose fibres around hairy yarn, seen near by (Z)"));
     connect(hair, &QAction::toggled, this, [this](bool on) { m_fabric->setHair(on); });
+    buildDetailMenu(menu);
     auto* colours = new QActionGroup(this);
     colours->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
     QAction* tension =

@@ -87,7 +87,9 @@ void MainWindow::exportShown() {
     source.camera = m_fabric->cameraState();
     source.section = m_fabric->section();
     source.keep = m_fabric->shownPoints();
+    source.parts = m_fabric->shownPart();
     source.hair = m_fabric->hasHair();
+    source.level = m_fabric->detail();
     source.dark = isDark(palette());
     const QString name = QFileInfo(m_document.title()).completeBaseName();
     auto* dialog =

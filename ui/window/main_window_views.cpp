@@ -65,6 +65,7 @@ void MainWindow::saveView() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Save this view"));
     dialog->setLabelText(tr("Name of the view; one of the same name is replaced:"));
+    dialog->setOkButtonText(tr("&Save"));
     dialog->setTextValue(tr("View %1").arg(m_views.views().size() + 1));
     connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& name) {
         if (m_views.save(name, m_fabric->saveCamera())) {

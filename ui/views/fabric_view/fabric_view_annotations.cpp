@@ -209,6 +209,10 @@ QStringList FabricView::words() const {
     return words;
 }
 
+QString FabricView::shownPart() const {
+    return m->annotations.alone;
+}
+
 std::vector<bool> FabricView::shownPoints() const {
     return m->keep;
 }

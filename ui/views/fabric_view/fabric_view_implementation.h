@@ -46,6 +46,7 @@ struct FabricView::Implementation {
     Vec3f fitRoom = Vec3f::Zero(); ///< see setFitRoom()
     bool dragMode = false;
     int selectedPoint = -1; ///< of `fabric`
+    std::optional<render::DetailLevel> shownDetail;
 
     enum class Gesture { None, Press, Orbit, Pan, Pull } gesture = Gesture::None;
     QPointF pressed;
@@ -54,6 +55,8 @@ struct FabricView::Implementation {
     std::optional<Vec3f> pullTarget; ///< once the mouse has moved
 
     void makeCanvas();
+    std::unique_ptr<Canvas> threadedCanvas(QString& reason);
+    void useAnotherCanvas(const QString& reason);
     void useFlatCanvas(const QString& reason);
     void placeChildren();
     void request();
@@ -76,6 +79,7 @@ struct FabricView::Implementation {
     void tapeClick(QPointF where);
     void moveSection(double notches);
     QString describe(int loop) const;
+    void takeDetail();
 
     render::SceneWorker worker; // last: it may call back until it is gone
 };
