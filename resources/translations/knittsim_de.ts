@@ -1134,6 +1134,10 @@ MIT licence. Copyright the KnittSim authors.</source>
         <translation>Stric&amp;kart der Farben …</translation>
     </message>
     <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
         <source>How the colours are knitted: floats, intarsia, a birdseye or ladder back (%1)</source>
         <translation>Wie die Farben gestrickt werden: Flottungen, Intarsie, Pfauenaugen- oder Leiter-Rückseite (%1)</translation>
     </message>
