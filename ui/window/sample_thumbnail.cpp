@@ -157,8 +157,8 @@ QPixmap thumbnailOf(const QString& path) {
     const std::filesystem::path file(path.toStdString());
     QPixmap picture;
     if (pattern::isProjectFile(file)) {
-        picture.loadFromData(QByteArray::fromBase64(QByteArray::fromStdString(pattern::readLook(file).thumbnail)),
-                             "PNG");
+        picture.loadFromData(
+            QByteArray::fromBase64(QByteArray::fromStdString(pattern::readLook(file).thumbnail)), "PNG");
     }
     return picture;
 }

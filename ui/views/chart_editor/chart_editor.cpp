@@ -201,7 +201,10 @@ void ChartEditor::buildEdits() {
     colours->setToolTip(tr("How the colours are knitted: floats, intarsia, a birdseye or ladder back (%1)")
                             .arg(colours->shortcut().toString(QKeySequence::NativeText)));
     m_tools->addSeparator();
+    colours->setIconText(tr("Colours"));
     m_tools->addAction(colours);
+    qobject_cast<QToolButton*>(m_tools->widgetForAction(colours))
+        ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     addEdit("actionChartBeds", tr("Work on bot&h beds"), Qt::CTRL | Qt::ALT | Qt::Key_B, [canvas, this] {
         canvas->useBothBeds(m_beds->isChecked());
         takeBeds(); // it may be refused
