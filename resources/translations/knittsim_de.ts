@@ -883,6 +883,26 @@
         <source>%1 times yarn went through yarn, first at %2 and %3</source>
         <translation>%1-mal ging Faden durch Faden, zuerst bei %2 und %3</translation>
     </message>
+    <message>
+        <source>Knit on the front bed, tuck on the rear bed</source>
+        <translation>Rechte Masche vorn, Fang auf dem hinteren Bett</translation>
+    </message>
+    <message>
+        <source>Tuck on the front bed, knit on the rear bed</source>
+        <translation>Fang auf dem vorderen Bett, Masche hinten</translation>
+    </message>
+    <message>
+        <source>Tuck on both beds</source>
+        <translation>Fang auf beiden Betten</translation>
+    </message>
+    <message>
+        <source>Miss on the rear bed</source>
+        <translation>Auslassen auf dem hinteren Bett</translation>
+    </message>
+    <message>
+        <source>Drop: the loops of the needle fall off before the course</source>
+        <translation>Abwerfen: die Maschen der Nadel fallen vor der Reihe ab</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::AboutDialog</name>
@@ -1097,6 +1117,34 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
         <source>Stitch size from this course on</source>
         <translation>Maschengröße ab dieser Reihe</translation>
     </message>
+    <message>
+        <source>Colours of all courses</source>
+        <translation>Farben aller Reihen</translation>
+    </message>
+    <message>
+        <source>Colours of the selected courses</source>
+        <translation>Farben der ausgewählten Reihen</translation>
+    </message>
+    <message>
+        <source>A chart with cables or lace is knitted on one bed: its colours cannot have a back.</source>
+        <translation>Ein Muster mit Zöpfen oder Lochmuster wird auf einem Bett gestrickt: seine Farben können keine Rückseite haben.</translation>
+    </message>
+    <message>
+        <source>knitting of the colours</source>
+        <translation>Strickart der Farben</translation>
+    </message>
+    <message>
+        <source>both beds</source>
+        <translation>beide Betten</translation>
+    </message>
+    <message>
+        <source>one bed</source>
+        <translation>ein Bett</translation>
+    </message>
+    <message>
+        <source>Moved loops, as of cables and lace, need a chart on one bed.</source>
+        <translation>Umgehängte Maschen, wie bei Zöpfen und Lochmustern, brauchen ein Muster auf einem Bett.</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::ChartEditor</name>
@@ -1212,6 +1260,34 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
         <source>Rackin&amp;g of the course…</source>
         <translation>&amp;Versatz der Reihe…</translation>
     </message>
+    <message>
+        <source>&amp;Bind off above the chart</source>
+        <translation>Über dem Muster a&amp;bketten</translation>
+    </message>
+    <message>
+        <source>bind off</source>
+        <translation>abketten</translation>
+    </message>
+    <message>
+        <source>Only a chart on one bed, with two loops or more, can be bound off.</source>
+        <translation>Nur ein Muster auf einem Bett mit mindestens zwei Maschen lässt sich abketten.</translation>
+    </message>
+    <message>
+        <source>&amp;Knitting of the colours…</source>
+        <translation>Stric&amp;kart der Farben …</translation>
+    </message>
+    <message>
+        <source>How the colours are knitted: floats, intarsia, a birdseye or ladder back (%1)</source>
+        <translation>Wie die Farben gestrickt werden: Flottungen, Intarsie, Pfauenaugen- oder Leiter-Rückseite (%1)</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Work on bot&amp;h beds</source>
+        <translation>Auf &amp;beiden Betten arbeiten</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::ChartLook</name>
@@ -1269,6 +1345,41 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
     <message>
         <source>fill</source>
         <translation>Füllung</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::ColourMethodMenu</name>
+    <message>
+        <source>&amp;Float jacquard</source>
+        <translation>&amp;Flottierender Jacquard</translation>
+    </message>
+    <message>
+        <source>Yarns that do not show float behind the stitches</source>
+        <translation>Fäden, die nicht zu sehen sind, flotten hinter den Maschen</translation>
+    </message>
+    <message>
+        <source>&amp;Intarsia</source>
+        <translation>&amp;Intarsie</translation>
+    </message>
+    <message>
+        <source>Every yarn stays in its own zone and is linked to the next one by a tuck</source>
+        <translation>Jeder Faden bleibt in seinem Feld und ist mit dem nächsten durch einen Fang verbunden</translation>
+    </message>
+    <message>
+        <source>&amp;Birdseye back</source>
+        <translation>&amp;Pfauenaugen-Rückseite</translation>
+    </message>
+    <message>
+        <source>On both beds: every yarn knits every second needle of the rear bed; no floats, a dotted back</source>
+        <translation>Auf beiden Betten: jeder Faden strickt jede zweite Nadel des hinteren Betts; keine Flottungen, getupfte Rückseite</translation>
+    </message>
+    <message>
+        <source>&amp;Ladder back</source>
+        <translation>&amp;Leiter-Rückseite</translation>
+    </message>
+    <message>
+        <source>On both beds: every fourth needle of the rear bed knits a yarn that does not show there; a light back with short floats</source>
+        <translation>Auf beiden Betten: jede vierte Nadel des hinteren Betts strickt einen Faden, der dort nicht zu sehen ist; leichte Rückseite mit kurzen Flottungen</translation>
     </message>
 </context>
 <context>
@@ -3143,6 +3254,22 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
         <source>Create</source>
         <translation>Anlegen</translation>
     </message>
+    <message>
+        <source>One loop a wale: knit, purl, cables, lace</source>
+        <translation>Eine Masche je Stäbchen: rechts, links, Zöpfe, Lochmuster</translation>
+    </message>
+    <message>
+        <source>Both beds at once: jacquard with a back, tubes, full ribs</source>
+        <translation>Beide Betten zugleich: Jacquard mit Rückseite, Schläuche, volle Rippen</translation>
+    </message>
+    <message>
+        <source>Whether front and rear needle of a wale work side by side</source>
+        <translation>Ob vordere und hintere Nadel eines Stäbchens nebeneinander arbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Beds</source>
+        <translation>&amp;Betten</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::OpeningCard</name>
@@ -3477,6 +3604,30 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
     <message>
         <source>The picture has no more colours than %1.</source>
         <translation>Das Bild hat nicht mehr Farben als %1.</translation>
+    </message>
+    <message>
+        <source>Yarns that do not show float behind the stitches</source>
+        <translation>Fäden, die nicht zu sehen sind, flotten hinter den Maschen</translation>
+    </message>
+    <message>
+        <source>Every yarn stays in its own zone</source>
+        <translation>Jeder Faden bleibt in seinem Feld</translation>
+    </message>
+    <message>
+        <source>Birdseye back</source>
+        <translation>Jacquard mit Pfauenaugen-Rückseite</translation>
+    </message>
+    <message>
+        <source>Both beds: yarns that do not show knit every second needle behind</source>
+        <translation>Beide Betten: hinten strickt jeder Faden jede zweite Nadel</translation>
+    </message>
+    <message>
+        <source>Ladder back</source>
+        <translation>Jacquard mit Leiter-Rückseite</translation>
+    </message>
+    <message>
+        <source>Both beds: yarns that do not show knit every fourth needle behind</source>
+        <translation>Beide Betten: hinten strickt jede vierte Nadel einen Faden, der vorn nicht zu sehen ist</translation>
     </message>
 </context>
 <context>

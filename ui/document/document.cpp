@@ -67,6 +67,7 @@ Document::Document(QObject* parent)
             m_yarnRun.clear();
         }
     });
+    connect(this, &Document::activityChanged, this, &Document::followWithYarn);
     connect(&m_ladders, &LadderRunner::stepped, this, &Document::takeLadderStep);
     connect(&m_prefixes, &PrefixBuilder::built, this,
             [this](const std::shared_ptr<const PrefixFabric>& prefix) {

@@ -110,8 +110,8 @@ public:
     QString title() const { return m_title; } ///< of the open file
     QString path() const { return m_path; }   ///< empty for what is not in a file
     void keepCopy() { m_recovery.write(); }   ///< of unsaved changes, at once
-    /// Writes the project; the undo stack is clean then. `thumbnail`: base64. Errors: KS0002.
-    Diagnostics save(const QString& path, const QByteArray& thumbnail = {});
+    /// Writes the project; the undo stack is clean then. Errors: KS0002.
+    Diagnostics save(const QString& path, const pattern::ProjectLook& look = {});
 
     /// Operations carried out in what is shown; 0 .. operationCount().
     OperationIndex step() const { return m_step; }
@@ -263,6 +263,7 @@ private:
     void rebuild();
     void takeRebuilt(const std::shared_ptr<const OpenedFile>& file);
     void update(const std::shared_ptr<const OpenedFile>& file);
+    void followWithYarn();
 
     // document_ladder.cpp
     void countLoops();
@@ -310,6 +311,7 @@ private:
     SimulationBridge m_bridge;
     QString m_integrator;
     YarnRun m_yarnRun;
+    bool m_yarnFollows = false; ///< once the bonding points of an edited chart are at rest
     std::vector<fabric::PointIndex> m_pins;
     LadderRunner m_ladders;
     fabric::Runs m_runs; ///< of m_whole, or of the fabric before the ladder that runs

@@ -30,6 +30,7 @@ void Document::start() {
     m_bridge.post(command::Start{});
 }
 void Document::pause() {
+    m_yarnFollows = false;
     m_bridge.post(command::Pause{});
 }
 void Document::stepSimulation() {
@@ -37,10 +38,12 @@ void Document::stepSimulation() {
     m_bridge.post(command::Step{});
 }
 void Document::stop() {
+    m_yarnFollows = false;
     m_bridge.post(command::Stop{});
 }
 
 void Document::settleYarn() {
+    m_yarnFollows = false;
     if (m_yarnRun.running()) {
         m_yarnRun.pause();
     } else if (m_yarnRun.shape() && !m_yarnRun.shape()->finished) {

@@ -180,6 +180,7 @@ private:
     void buildViewsMenu(QMenu* view);
     void takeViews();
     void recallViews();
+    void recallLook();
     void saveView();
     void recallView(const QString& name);
     void manageViews();

@@ -88,6 +88,7 @@ void MainWindow::takeFile() {
     }
     m_banner->hide();
     takeDocument();
+    recallLook();
     takeActions();
     m_lesson->takeProgram();
     startSoon();

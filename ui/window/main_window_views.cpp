@@ -24,6 +24,23 @@ void MainWindow::recallViews() {
     takeViews();
 }
 
+/// A chart is seen as it was when it was saved.
+void MainWindow::recallLook() {
+    const std::filesystem::path path(m_document.path().toStdString());
+    if (!m_document.project() || !pattern::isProjectFile(path)) {
+        return;
+    }
+    const auto view = QByteArray::fromBase64(QByteArray::fromStdString(pattern::readLook(path).view));
+    connect(
+        &m_document, &document::Document::fabricShown, this,
+        [this, view] {
+            if (m_fabric->restoreCamera(view)) {
+                takeActions(); // orthographic or not
+            }
+        },
+        Qt::SingleShotConnection);
+}
+
 /// The menu has a line for each view.
 void MainWindow::takeViews() {
     const QString kName = QStringLiteral("actionView_");

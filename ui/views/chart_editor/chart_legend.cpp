@@ -50,8 +50,8 @@ std::array<bool, 3> movesUsed(const pattern::Chart& chart) {
 
 std::vector<LegendEntry> legendOf(const pattern::Chart& chart, SymbolSet symbols) {
     std::vector<LegendEntry> legend;
-    for (const Stitch stitch : {Stitch::Knit, Stitch::Purl, Stitch::Both, Stitch::Tuck, Stitch::Miss,
-                                Stitch::Rest, Stitch::Empty}) {
+    for (int i = 0; i < pattern::kStitches; ++i) {
+        const auto stitch = static_cast<Stitch>(i);
         if (std::ranges::find(chart.cells, stitch, &pattern::Cell::stitch) != chart.cells.end()) {
             legend.push_back({stitchName(stitch),
                               [stitch, symbols](QPainter& painter, const QRectF& rect, const QColor& ink) {
