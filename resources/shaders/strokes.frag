@@ -1,15 +1,12 @@
 // Three strokes in one: wide and dark, narrower in the yarn's colour, thin bright dots along the middle.
 
-uniform vec3 uColour;        // as shown
-uniform vec3 uAccent;
 uniform float uDotMm;        // from dot to dot
 uniform float uSoft;         // one pixel in yarn radii
 
 void main() {
     Surface surface = findSurface();
     float side = sqrt(1.0 - surface.round * surface.round);
-    float open = smoothstep(-0.9, 0.8, vDepth);
-    vec3 body = mix(colourHere(uColour), uAccent, 0.85 * vGlow) * (0.55 + 0.45 * open);
+    vec3 body = vColour * (0.55 + 0.45 * vOpen);
     float along = abs(fract(vArc / uDotMm) - 0.5);
     float softAlong = uSoft * 0.7;
     float dotted = smoothstep(0.0, softAlong + 0.05, 0.28 - along) *

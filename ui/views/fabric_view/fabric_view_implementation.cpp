@@ -100,7 +100,9 @@ void FabricView::Implementation::takePicture() {
     showParts();
     content.camera.setScene(content.scene->bounds);
     placeMarks();
-    if ((fitPending || (following && followFit)) && !content.scene->bounds.empty()) {
+    // While it is pulled the picture stands still: the mouse says where to.
+    const bool pulling = gesture == Gesture::Pull;
+    if ((fitPending || (following && followFit && !pulling)) && !content.scene->bounds.empty()) {
         fitPending = false;
         fitCamera();
     }
