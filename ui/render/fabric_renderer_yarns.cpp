@@ -1,3 +1,4 @@
+#include "core/geometry/stroke_style.h"
 #include "ui/render/fabric_renderer_implementation.h"
 
 #include <fmt/format.h>
@@ -91,7 +92,13 @@ void FabricRenderer::Implementation::drawCarrier(const View& view, const Frustum
         const Vec3f ink = view.dark ? Vec3f(1, 1, 1) : Vec3f(0, 0, 0);
         const float share = mesh ? 0.35F : 0.0F;
         program.set("uColour", Vec3f((1 - share) * shown(yarnLook.colour) + share * ink));
-        program.set("uDotMm", 1.4F * radius);
+        using Strokes = geometry::StrokeStyle;
+        const auto pair = [](double a, double b) {
+            return Eigen::Vector2f(static_cast<float>(a), static_cast<float>(b));
+        };
+        program.set("uWidths", pair(Strokes::kBodyWidth, Strokes::kDotWidth));
+        program.set("uDots", pair(Strokes::kDotEvery * 2 * radius, Strokes::kDotLength / Strokes::kDotEvery));
+        program.set("uShares", pair(Strokes::kEdgeShade, Strokes::kDotShare));
         program.set("uSoft", std::min(0.5F, perPixel / radius));
     }
     setRamp(program);
