@@ -12,6 +12,8 @@ namespace knittsim::ui {
 namespace {
 
 constexpr float kPickPixels = 3; ///< how far beside the yarn a click still counts
+constexpr float kAbove = 32;     ///< pixels that a fitted fabric leaves free for badge ...
+constexpr float kBelow = 52;     ///< ... and dimensions
 
 QVector3D toQt(const Vec3f& v) {
     return {v.x(), v.y(), v.z()};
@@ -124,7 +126,10 @@ void FabricView::Implementation::fitCamera() {
     const Vec3f centre = box.centre();
     box.low = box.low.cwiseMin(centre - 0.5F * fitRoom);
     box.high = box.high.cwiseMax(centre + 0.5F * fitRoom);
-    content.camera.fit(box);
+    // The badge has its place above the fabric, dimensions and scale below it.
+    constexpr int kLeastHeight = 300;
+    const bool room = view.height() >= kLeastHeight;
+    content.camera.fit(box, room ? kAbove : 0, room && annotations.dimensions ? kBelow : 0);
     emit view.cameraMoved();
 }
 

@@ -299,8 +299,7 @@ void Overlay::paintScale(QPainter& painter) const {
     const double millimetres = scaleBarMm(perPixel, std::min(kScalePixels, width() / 3.0));
     const double pixels = millimetres / perPixel;
     const double right = width() - kMargin;
-    constexpr int kAboveWidth = 26; // the width of a fabric that fills the view stands below
-    const double y = height() - kMargin - (m_annotations.dimensions ? kAboveWidth : 0);
+    const double y = height() - kMargin;
     constexpr double kInchMm = 25.4;
     const QString text =
         tr("%1 mm (%2 in)")
