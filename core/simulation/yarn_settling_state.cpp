@@ -26,13 +26,19 @@ std::vector<float> YarnSettling::tension() const {
     return result;
 }
 
+/// What yarns press on each other with, by node, EI/d^2.
+physics::Vector YarnSettling::pressing() const {
+    physics::Vector gradient = physics::Vector::Zero(shape().size());
+    m_model->contact().evaluate(shape(), &gradient);
+    m_model->cores().evaluate(shape(), &gradient);
+    return gradient;
+}
+
 std::vector<float> YarnSettling::contactForce() const {
     if (!m_model) {
         return {};
     }
-    physics::Vector gradient = physics::Vector::Zero(shape().size());
-    m_model->contact().evaluate(shape(), &gradient);
-    m_model->cores().evaluate(shape(), &gradient);
+    const physics::Vector gradient = pressing();
     const double unit = m_yarns.units.forceMilliNewton() / m_yarns.units.lengthMm;
     const std::vector<double> lengths = physics::nodeLengths(m_yarns.chains);
     std::vector<float> result;
