@@ -1,5 +1,5 @@
-#include "core/base/message_table.h"
 #include "core/export/report.h"
+#include "core/machine/checks/findings_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -22,17 +22,6 @@ Json known(int number) {
 
 Json known(const std::string& text) {
     return text.empty() ? Json(nullptr) : Json(text);
-}
-
-Json findingJson(const Diagnostic& finding) {
-    const Message* message = findMessage(finding.id);
-    return {{"rule", finding.id},
-            {"name", message != nullptr ? Json(message->name) : Json(nullptr)},
-            {"severity", toString(finding.severity)},
-            {"line", known(finding.place.line)},
-            {"needle", known(finding.place.needle)},
-            {"cause", causeText(finding)},
-            {"cure", cureText(finding)}};
 }
 
 Json timeJson(const KnittingTime& time) {
@@ -93,14 +82,7 @@ std::string toJson(const Report& report) {
     if (report.knitting) {
         addKnitting(*report.knitting, json);
     }
-    json["findings"] = Json::array();
-    for (const Diagnostic& finding : report.checks.findings) {
-        json["findings"].push_back(findingJson(finding));
-    }
-    for (const machine::Waived& waived : report.checks.waived) {
-        json["findings"].push_back(findingJson(waived.finding));
-        json["findings"].back()["off_reason"] = waived.reason;
-    }
+    json["findings"] = machine::findingsJson(report.checks);
     // Names of files and carriers may hold bytes that are not UTF-8.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -1,6 +1,7 @@
 #include "core/machine/checks/report.h"
 
 #include "core/base/message_table.h"
+#include "core/machine/checks/findings_json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -18,23 +19,6 @@ std::ptrdiff_t countOf(const CheckedFile& file, Severity severity) {
     return std::ranges::count(file.result.findings, severity, &Diagnostic::severity);
 }
 
-Json known(int number) {
-    return number >= 0 ? Json(number) : Json(nullptr);
-}
-
-Json findingJson(const Diagnostic& finding) {
-    const Message* message = findMessage(finding.id);
-    return {{"rule", finding.id},
-            {"name", message != nullptr ? Json(message->name) : Json(nullptr)},
-            {"severity", toString(finding.severity)},
-            {"line", known(finding.place.line)},
-            {"column", known(finding.place.column)},
-            {"operation", known(finding.place.operation)},
-            {"needle", finding.place.needle.empty() ? Json(nullptr) : Json(finding.place.needle)},
-            {"cause", causeText(finding)},
-            {"cure", cureText(finding)}};
-}
-
 std::string plural(std::ptrdiff_t count, const char* word) {
     return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
@@ -44,20 +28,12 @@ std::string plural(std::ptrdiff_t count, const char* word) {
 std::string toJson(std::span<const CheckedFile> files) {
     Json list = Json::array();
     for (const CheckedFile& file : files) {
-        Json findings = Json::array();
-        for (const Diagnostic& finding : file.result.findings) {
-            findings.push_back(findingJson(finding));
-        }
-        for (const Waived& waived : file.result.waived) {
-            findings.push_back(findingJson(waived.finding));
-            findings.back()["off_reason"] = waived.reason;
-        }
         list.push_back({{"file", file.file},
                         {"profile", file.profile.empty() ? Json(nullptr) : Json(file.profile)},
                         {"errors", countOf(file, Severity::Error)},
                         {"warnings", countOf(file, Severity::Warning)},
                         {"infos", countOf(file, Severity::Info)},
-                        {"findings", findings}});
+                        {"findings", findingsJson(file.result)}});
     }
     // Names of files and carriers may hold bytes that are not UTF-8.
     return Json{{"files", list}}.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

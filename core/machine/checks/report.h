@@ -14,9 +14,7 @@ struct CheckedFile {
     CheckResult result;
 };
 
-/// JSON: "files" with "file", "profile", "errors", "warnings", "infos", "findings"; each finding has "rule",
-/// "name", "severity", "line", "column", "operation", "needle" (null where not known), "cause",
-/// "cure" and, where its rule is turned off, "off_reason".
+/// JSON: "files" with "file", "profile", "errors", "warnings", "infos" and "findings" (findings_json.h).
 std::string toJson(std::span<const CheckedFile> files);
 
 /// SARIF 2.1.0 (OASIS standard): one run, its rules, a result for each finding. What is turned off is an

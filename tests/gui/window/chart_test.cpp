@@ -3,12 +3,10 @@
 #include "core/pattern/swatch.h"
 #endif
 
+#include "tests/gui/window/chart_fixture.h"
 #include "ui/dialogs/picture_dialog.h"
-#include "ui/views/chart_editor/chart_canvas.h"
 #include "ui/views/fabric_view/fabric_view.h"
-#include "ui/views/style/appearance.h"
 #include "ui/window/banner.h"
-#include "ui/window/main_window.h"
 #include "ui/window/sample_thumbnail.h"
 
 #include <QAction>
@@ -24,10 +22,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QSignalSpy>
 #include <QSpinBox>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QTimer>
 #include <QToolButton>
 
@@ -36,28 +31,15 @@ namespace knittsim::ui {
 using document::Document;
 using pattern::Stitch;
 
-class ChartTest : public QObject {
+class ChartTest : public ChartFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        qputenv("KNITTSIM_CONFIG_DIR", m_folder.path().toUtf8());
-        applyAppearance(*qApp, document::Appearance::Light);
-    }
+    void initTestCase() { prepare(); }
 
-    void init() {
-        document::Session().clear();
-        m_window = std::make_unique<MainWindow>();
-        m_window->resize(1280, 800);
-        m_window->show();
-        m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    }
+    void init() { beginTest(); }
 
-    void cleanup() {
-        document().undoStack()->setClean(); // no question at the end
-        m_window.reset();
-    }
+    void cleanup() { endTest(); }
 
     void aNewChartIsDrawnAndTheFabricFollows() {
         newChart(12, 10);
@@ -171,11 +153,7 @@ private slots:
     }
 
     void aFileThatIsNoPictureIsRefusedInWords() {
-        const QString path = m_folder.filePath(QStringLiteral("broken.png"));
-        QFile file(path);
-        QVERIFY(file.open(QFile::WriteOnly) && file.write("no picture") > 0);
-        file.close();
-        PictureDialog dialog(path, {}, {"1", "2"});
+        PictureDialog dialog(write("broken.png", "no picture"), {}, {"1", "2"});
         auto* words = dialog.findChild<QLabel*>(QStringLiteral("pictureWords"));
         QTRY_VERIFY(words->text().contains(QStringLiteral("cannot be read")));
         QVERIFY(!dialog.findChild<QPushButton*>(QStringLiteral("pictureMake"))->isEnabled());
@@ -334,11 +312,8 @@ private slots:
     void aChartThatCannotBeKnittedOpensAllTheSame() {
         pattern::Project project{.chart = pattern::plainChart(6, 6), .machine = {}};
         project.chart.at(3, 3).stitch = Stitch::Both; // on one bed
-        QFile file(m_folder.filePath("both.knitt"));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(QByteArray::fromStdString(pattern::writeProject(project)));
-        file.close();
-        open([&] { m_window->openFile(file.fileName()); });
+        const QString path = write("both.knitt", QByteArray::fromStdString(pattern::writeProject(project)));
+        open([&] { m_window->openFile(path); });
         QVERIFY(!document().fabricFollowsChart());
         QVERIFY(!document().problems().empty());
         document().editChart("mend", [](pattern::Chart& chart) { chart.at(3, 3).stitch = Stitch::Knit; });
@@ -346,7 +321,7 @@ private slots:
     }
 
     void aSampleIsAChartOfItsOwn() {
-        open([&] { m_window->openSample("cable-left"); });
+        openSample("cable-left");
         QCOMPARE(chart(), pattern::sampleChart("cable-left"));
         QVERIFY(canvas()->isVisible());
         open([&] { document().openText("text", QString::fromStdString(pattern::sampleText("plain"))); });
@@ -373,7 +348,7 @@ private slots:
         QVERIFY(!document().isOpening());
         QCOMPARE(chart().width, 6);
         answer(QMessageBox::Discard);
-        open([&] { m_window->openSample("plain"); });
+        openSample("plain");
         QCOMPARE(asked, 2);
         QVERIFY(chart().width != 6);
     }
@@ -413,19 +388,14 @@ private slots:
         QTest::qWait(600);
         QVERIFY2(!child<Banner>("banner")->isVisible(), "it was saved here");
         pattern::Project other{.chart = pattern::plainChart(4, 4), .machine = {}};
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(QByteArray::fromStdString(pattern::writeProject(other)));
-        file.close();
+        write("shared.knitt", QByteArray::fromStdString(pattern::writeProject(other)));
         QTRY_VERIFY(child<Banner>("banner")->isVisible());
         QCOMPARE(chart().width, 6);
         open([&] { child<QPushButton>("bannerAction")->click(); });
         QCOMPARE(chart(), other.chart);
         // Work that is not saved stays, when the person says so.
         document().editChart("mine", [](pattern::Chart& chart) { chart.at(1, 1).stitch = Stitch::Purl; });
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(QByteArray::fromStdString(pattern::writeProject(project(9))));
-        file.close();
+        write("shared.knitt", QByteArray::fromStdString(pattern::writeProject(project(9))));
         QTRY_VERIFY(child<Banner>("banner")->isVisible());
         child<QPushButton>("bannerOther")->click();
         QCOMPARE(chart().at(1, 1).stitch, Stitch::Purl);
@@ -437,16 +407,14 @@ private slots:
         const QString path = m_folder.filePath("handed.knitt");
         QVERIFY(!hasErrors(document().save(path)));
         const auto writeOther = [&](int wales) {
-            QFile file(path);
-            QVERIFY(file.open(QIODevice::WriteOnly));
-            file.write(QByteArray::fromStdString(pattern::writeProject(project(wales))));
+            write("handed.knitt", QByteArray::fromStdString(pattern::writeProject(project(wales))));
         };
         const auto isTold = [&] { return child<Banner>("banner")->text().contains("handed.knitt"); };
-        handOver();
+        adoptWindow();
         QVERIFY(!isTold());
         writeOther(9);
         QTRY_VERIFY2(isTold(), "it came after the other window");
-        handOver();
+        adoptWindow();
         QVERIFY2(isTold(), "it came before the other window");
         open([&] { child<QPushButton>("bannerAction")->click(); });
         QCOMPARE(chart().width, 9);
@@ -474,7 +442,7 @@ private slots:
         QVERIFY(!hasView());
         open([&] { m_window->openFile(path); });
         QVERIFY(hasView());
-        handOver();
+        adoptWindow();
         QVERIFY(hasView());
     }
 
@@ -499,9 +467,6 @@ private slots:
     }
 
 private:
-    Document& document() { return m_window->document(); }
-    ChartCanvas* canvas() { return child<ChartCanvas>("chartCanvas"); }
-    const pattern::Chart& chart() { return document().project()->chart; }
     pattern::Chart original() {
         pattern::Chart plain(12, 10);
         plain.yarns = chart().yarns;
@@ -512,50 +477,6 @@ private:
     static pattern::Project project(int wales) {
         return {.chart = pattern::plainChart(wales, 4), .machine = {}};
     }
-
-    template<class T> T* child(const char* name) {
-        T* found = m_window->findChild<T*>(QString::fromLatin1(name));
-        if (!found) {
-            qFatal("no %s", name);
-        }
-        return found;
-    }
-    QAction* action(const char* name) { return child<QAction>(name); }
-
-    template<class F> void open(const F& how) {
-        QSignalSpy opened(&document(), &Document::opened);
-        how();
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 60000);
-    }
-
-    void newChart(int wales, int courses) {
-        auto project = std::make_shared<pattern::Project>();
-        project->chart = pattern::Chart(wales, courses);
-        project->chart.yarns = {{"1", {}, "merino-2-30"}};
-        open([&] { document().openProject("new", project); });
-        canvas()->setTool(ChartTool::Pencil);
-    }
-
-    /// As when the language changes.
-    void handOver() {
-        auto next = std::make_unique<MainWindow>(m_window->releaseDocument());
-        m_window = std::move(next);
-        m_window->show();
-    }
-
-    /// Middle of a cell in the viewport.
-    QPoint place(pattern::CellPlace cell) {
-        return canvas()->geometryOfChart().cellRect(cell.course, cell.wale).center();
-    }
-
-    void stroke(pattern::CellPlace from, pattern::CellPlace to) {
-        QTest::mousePress(canvas()->viewport(), Qt::LeftButton, {}, place(from));
-        QTest::mouseMove(canvas()->viewport(), place(to));
-        QTest::mouseRelease(canvas()->viewport(), Qt::LeftButton, {}, place(to));
-    }
-
-    QTemporaryDir m_folder;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 } // namespace knittsim::ui

@@ -4,14 +4,12 @@
 #include "core/base/sha256.h"
 #endif
 
+#include "tests/gui/window/window_fixture.h"
 #include "ui/document/session.h"
 #include "ui/views/diagnostics/diagnostics_panel.h"
 #include "ui/views/fabric_view/fabric_view.h"
-#include "ui/views/style/appearance.h"
 #include "ui/window/banner.h"
-#include "ui/window/key_guard.h"
 #include "ui/window/machine_choice.h"
-#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QApplication>
@@ -21,9 +19,6 @@
 #include <QJsonObject>
 #include <QLineEdit>
 #include <QMenu>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QTimer>
 #include <QToolButton>
 
@@ -35,36 +30,33 @@ using document::Document;
 const char* const kProgram = ";!knitout-2\n;;Carriers: 1\n;;Machine: SWG091N2\nin 1\nx-stitch-number 5\n"
                              "knit + f1 1\nknit + f2 1\nknit + f60 1\nout 1\n";
 
-class ChecksTest : public QObject {
+class ChecksTest : public WindowFixture {
     Q_OBJECT
 
 private slots:
     void initTestCase() {
-        qputenv("KNITTSIM_CONFIG_DIR", m_folder.path().toUtf8());
         qputenv("KNITTSIM_MACHINES", m_folder.filePath("machines").toUtf8());
-        applyAppearance(*qApp, document::Appearance::Light);
-        qApp->installEventFilter(&m_guard);
+        prepare();
     }
 
     void init() {
-        document::Session().clear();
         QDir(m_folder.filePath("machines")).removeRecursively();
-        openWindow();
+        beginTest();
     }
 
-    void cleanup() { m_window.reset(); }
+    void cleanup() { endTest(); }
 
     void theChoiceSaysWhatTheFileMeans() {
         auto* choice = child<MachineChoice>("machineChoice");
         QCOMPARE(choice->currentText(), QString("As the file says"));
-        open();
+        openPiece();
         QCOMPARE(choice->currentText(), QString("As the file says: Shima Seiki SWG type, 15 gauge"));
         QVERIFY(choice->findData("kniterate") > 0);
         QVERIFY(choice->toolTip().contains("Shima Seiki"));
     }
 
     void anotherMachineChecksAgainAndFeedsOtherLoops() {
-        open();
+        openPiece();
         const auto before = document().file();
         const double loop = before->timeline->loops().loops[1].lengthMm;
         const yarn::Yarn own = document().library().yarns().front();
@@ -79,19 +71,19 @@ private slots:
     }
 
     void theMachineIsRemembered() {
-        open();
+        openPiece();
         choose("stoll-cms");
         QTRY_COMPARE(document().file()->timeline->profile().id, std::string("stoll-cms"));
         m_window.reset();
         openWindow();
-        open();
+        openPiece();
         QCOMPARE(document().file()->timeline->profile().id, std::string("stoll-cms"));
         choose(QString());
         QTRY_COMPARE(document().file()->timeline->profile().id, std::string("shima-swg"));
     }
 
     void aMachineOfOnesOwnIsCopiedWhenItIsWithoutFault() {
-        open();
+        openPiece();
         QFile original(QStringLiteral(KNITTSIM_SOURCE_DIR "/resources/machines/kniterate.json"));
         QVERIFY(original.open(QIODevice::ReadOnly));
         const QByteArray text = original.readAll();
@@ -112,7 +104,7 @@ private slots:
     }
 
     void aRuleIsTurnedOffWithAReasonAndOnAgain() {
-        open();
+        openPiece();
         auto* list = child<DiagnosticsList>("diagnosticsList");
         const int all = list->problemCount();
         const int row = rowOf("KS0233");
@@ -142,7 +134,7 @@ private slots:
 
         m_window.reset(); // it is kept
         openWindow();
-        open();
+        openPiece();
         QCOMPARE(rowOf("KS0233"), -1);
         QTest::mouseClick(child<QToolButton>("showOff"), Qt::LeftButton);
         turn(rowOf("KS0233"));
@@ -151,7 +143,7 @@ private slots:
     }
 
     void withoutAReasonNothingIsTurnedOff() {
-        open();
+        openPiece();
         turn(rowOf("KS0233"));
         QTRY_VERIFY(m_window->findChild<QInputDialog*>("turnOffDialog"));
         QTest::keyClick(m_window->findChild<QInputDialog*>("turnOffDialog"), Qt::Key_Return);
@@ -162,7 +154,7 @@ private slots:
     void theReportIsWrittenInTheBackground() {
         auto* report = m_window->findChild<QAction*>("actionExportReport");
         QVERIFY(!report->isEnabled());
-        open();
+        openPiece();
         QVERIFY(report->isEnabled());
         QVERIFY(child<QToolButton>("exportReport")->isEnabled());
         document().turnRuleOff("KS0233", "cut by hand");
@@ -183,36 +175,8 @@ private slots:
     }
 
 private:
-    template<class T> T* child(const char* name) {
-        T* found = m_window->findChild<T*>(QString::fromLatin1(name));
-        if (!found) {
-            qFatal("no %s", name);
-        }
-        return found;
-    }
-
-    Document& document() { return m_window->document(); }
-
-    void openWindow() {
-        m_window = std::make_unique<MainWindow>();
-        m_window->show();
-        m_window->activateWindow(); // keys go to the active window only
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    }
-
-    void open() {
-        QSignalSpy opened(&document(), &Document::opened);
-        m_window->openFile(write("piece.k", kProgram));
-        QTRY_COMPARE(opened.count(), 1);
-    }
-
-    QString write(const QString& name, const QByteArray& text) {
-        QFile file(m_folder.filePath(name));
-        if (!file.open(QIODevice::WriteOnly)) {
-            qFatal("cannot write %s", qPrintable(name));
-        }
-        file.write(text);
-        return file.fileName();
+    void openPiece() {
+        open([&] { m_window->openFile(write("piece.k", kProgram)); });
     }
 
     /// By keys, as a person without a mouse would.
@@ -252,10 +216,6 @@ private:
         QContextMenuEvent event(QContextMenuEvent::Mouse, at, list->viewport()->mapToGlobal(at));
         QApplication::sendEvent(list->viewport(), &event);
     }
-
-    QTemporaryDir m_folder;
-    KeyGuard m_guard;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 } // namespace knittsim::ui

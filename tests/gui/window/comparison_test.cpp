@@ -2,17 +2,12 @@
 #include "core/pattern/samples.h"
 #endif
 
+#include "tests/gui/window/window_fixture.h"
 #include "ui/views/fabric_view/fabric_view.h"
-#include "ui/views/style/appearance.h"
 #include "ui/window/comparison.h"
-#include "ui/window/key_guard.h"
-#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QFile>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 
 namespace knittsim::ui {
@@ -21,25 +16,15 @@ using document::Activity;
 using document::Document;
 
 /// Two fabrics side by side, driven by keys.
-class ComparisonTest : public QObject {
+class ComparisonTest : public WindowFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        qputenv("KNITTSIM_CONFIG_DIR", m_folder.path().toUtf8());
-        applyAppearance(*qApp, document::Appearance::Light);
-        qApp->installEventFilter(&m_guard);
-    }
+    void initTestCase() { prepare(); }
 
-    void init() {
-        document::Session().clear();
-        m_window = std::make_unique<MainWindow>();
-        m_window->show();
-        m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    }
+    void init() { beginTest(); }
 
-    void cleanup() { m_window.reset(); }
+    void cleanup() { endTest(); }
 
     void aKeptStateStaysWhileTheFabricSettles() {
         openSample("plain");
@@ -47,7 +32,7 @@ private slots:
         QVERIFY(comparison()->isOpen());
         QTRY_VERIFY(!other()->bounds().empty());
         const Vec3f kept = other()->bounds().size();
-        QTRY_COMPARE_WITH_TIMEOUT(document().activity(), Activity::AtRest, 30000);
+        settle();
         QTRY_VERIFY(fabric()->bounds().size().x() < 0.95F * kept.x());
         QCOMPARE(other()->bounds().size().x(), kept.x());
         // It is told how much wider the kept one is.
@@ -59,7 +44,7 @@ private slots:
     void bothAreShownInOneScaleAndNothingIsCutOff() {
         openSample("plain");
         press(Qt::Key_K, Qt::ControlModifier);
-        QTRY_COMPARE_WITH_TIMEOUT(document().activity(), Activity::AtRest, 30000);
+        settle();
         QTRY_VERIFY(!other()->bounds().empty());
         press(Qt::Key_F);
         QCOMPARE(other()->cameraState().halfHeight, fabric()->cameraState().halfHeight);
@@ -86,7 +71,7 @@ private slots:
 
     void anotherYarnMakesAnotherWidth() {
         openSample("plain");
-        QTRY_COMPARE_WITH_TIMEOUT(document().activity(), Activity::AtRest, 30000);
+        settle();
         const auto& yarns = document().library().yarns();
         const auto& present = document().carriers().front().yarn;
         const auto thick = std::ranges::max_element(yarns, {}, &yarn::Yarn::outerDiameterMm);
@@ -102,13 +87,9 @@ private slots:
 
     void anotherFileAndEscape() {
         openSample("plain");
-        const QString path = m_folder.filePath("other.k");
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(";!knitout-2\n;;Carriers: 1\nin 1\nknit - f3 1\nknit - f2 1\nknit - f1 1\nknit + f1 1\n"
-                   "knit + f2 1\nknit + f3 1\nout 1\n");
-        file.close();
-        comparison()->openFile(path);
+        comparison()->openFile(write("other.k",
+                                     ";!knitout-2\n;;Carriers: 1\nin 1\nknit - f3 1\nknit - f2 1\n"
+                                     "knit - f1 1\nknit + f1 1\nknit + f2 1\nknit + f3 1\nout 1\n"));
         QTRY_VERIFY(!other()->bounds().empty());
         QVERIFY(comparison()->otherTitle().startsWith("other.k"));
         QVERIFY(other()->bounds().size().x() < fabric()->bounds().size().x());
@@ -135,25 +116,8 @@ private slots:
     }
 
 private:
-    Document& document() { return m_window->document(); }
     Comparison* comparison() { return m_window->findChild<Comparison*>("comparison"); }
-    FabricView* fabric() { return m_window->findChild<FabricView*>("fabricView"); }
     FabricView* other() { return comparison()->other(); }
-    QAction* action(const char* name) { return m_window->findChild<QAction*>(name); }
-    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-        QTest::keyClick(m_window.get(), key, modifiers);
-    }
-
-    void openSample(const char* id) {
-        QSignalSpy opened(&document(), &Document::opened);
-        m_window->openSample(id);
-        QTRY_COMPARE(opened.count(), 1);
-        QTRY_VERIFY(!fabric()->bounds().empty());
-    }
-
-    QTemporaryDir m_folder;
-    KeyGuard m_guard;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 } // namespace knittsim::ui

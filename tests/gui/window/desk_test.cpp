@@ -6,14 +6,12 @@
 #include "core/yarn/own_yarns.h"
 #endif
 
-#include "ui/views/chart_editor/chart_canvas.h"
+#include "tests/gui/window/chart_fixture.h"
 #include "ui/views/chart_editor/chart_sheet.h"
 #include "ui/views/chart_editor/legend_panel.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
-#include "ui/views/style/appearance.h"
 #include "ui/views/yarn_library/colourway_bar.h"
 #include "ui/views/yarn_library/yarn_dialog.h"
-#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -25,9 +23,6 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QUndoView>
 
 namespace knittsim::ui {
@@ -35,28 +30,15 @@ namespace knittsim::ui {
 using document::Document;
 using pattern::Stitch;
 
-class DeskTest : public QObject {
+class DeskTest : public ChartFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        qputenv("KNITTSIM_CONFIG_DIR", m_folder.path().toUtf8());
-        applyAppearance(*qApp, document::Appearance::Light);
-    }
+    void initTestCase() { prepare(); }
 
-    void init() {
-        document::Session().clear();
-        m_window = std::make_unique<MainWindow>();
-        m_window->resize(1280, 800);
-        m_window->show();
-        m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    }
+    void init() { beginTest(); }
 
-    void cleanup() {
-        document().undoStack()->setClean(); // no question at the end
-        m_window.reset();
-    }
+    void cleanup() { endTest(); }
 
     void columnsWithoutInformationHide() {
         newChart(10, 8);
@@ -278,47 +260,6 @@ private slots:
         QVERIFY(!QFile::exists(m_folder.filePath("none.pdf")));
         QVERIFY(chartImage(sheet).width() > 120 * 20);
     }
-
-private:
-    Document& document() { return m_window->document(); }
-    ChartCanvas* canvas() { return child<ChartCanvas>("chartCanvas"); }
-    const pattern::Chart& chart() { return document().project()->chart; }
-
-    template<class T> T* child(const char* name) {
-        T* found = m_window->findChild<T*>(QString::fromLatin1(name));
-        if (!found) {
-            qFatal("no %s", name);
-        }
-        return found;
-    }
-    QAction* action(const char* name) { return child<QAction>(name); }
-
-    template<class F> void open(const F& how) {
-        QSignalSpy opened(&document(), &Document::opened);
-        how();
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 60000);
-    }
-
-    void newChart(int wales, int courses) {
-        auto project = std::make_shared<pattern::Project>();
-        project->chart = pattern::Chart(wales, courses);
-        project->chart.yarns = {{"1", {}, "merino-2-30"}};
-        open([&] { document().openProject("new", project); });
-        canvas()->setTool(ChartTool::Pencil);
-    }
-
-    QPoint place(pattern::CellPlace cell) {
-        return canvas()->geometryOfChart().cellRect(cell.course, cell.wale).center();
-    }
-
-    void stroke(pattern::CellPlace from, pattern::CellPlace to) {
-        QTest::mousePress(canvas()->viewport(), Qt::LeftButton, {}, place(from));
-        QTest::mouseMove(canvas()->viewport(), place(to));
-        QTest::mouseRelease(canvas()->viewport(), Qt::LeftButton, {}, place(to));
-    }
-
-    QTemporaryDir m_folder;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 } // namespace knittsim::ui

@@ -2,10 +2,9 @@
 #include "core/pattern/samples.h"
 #endif
 
+#include "tests/gui/window/window_fixture.h"
 #include "ui/dialogs/export_dialog.h"
 #include "ui/views/fabric_view/fabric_view.h"
-#include "ui/views/style/appearance.h"
-#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -18,50 +17,40 @@
 #include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSignalSpy>
 #include <QSpinBox>
 #include <QStatusBar>
-#include <QTemporaryDir>
-#include <QTest>
 
 namespace knittsim::ui {
 
 using document::Document;
 
 /// File > Export, driven by keys and mouse.
-class ExportWindowTest : public QObject {
+class ExportWindowTest : public WindowFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        qputenv("KNITTSIM_CONFIG_DIR", m_folder.path().toUtf8());
-        applyAppearance(*qApp, document::Appearance::Light);
-    }
+    void initTestCase() { prepare(); }
 
     void init() {
-        document::Session().clear();
         m_out = std::make_unique<QTemporaryDir>();
-        m_window = std::make_unique<MainWindow>();
-        m_window->show();
-        m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        beginTest();
     }
 
-    void cleanup() { m_window.reset(); }
+    void cleanup() { endTest(); }
 
-    void isOffWhileNothingIsOpen() { QVERIFY(!find<QAction>("actionExport")->isEnabled()); }
+    void isOffWhileNothingIsOpen() { QVERIFY(!child<QAction>("actionExport")->isEnabled()); }
 
     void writesEveryFormat() {
         openSample("plain");
         const QStringList formats{"png", "svg", "glb", "gltf", "obj", "bcc", "csv"};
         for (int i = 0; i < formats.size(); ++i) {
             openDialog();
-            find<QComboBox>("exportFormat")->setCurrentIndex(i);
+            child<QComboBox>("exportFormat")->setCurrentIndex(i);
             const QString path = m_out->filePath("swatch." + formats[i]);
-            QVERIFY2(find<QLineEdit>("exportPath")->text().endsWith('.' + formats[i]),
+            QVERIFY2(child<QLineEdit>("exportPath")->text().endsWith('.' + formats[i]),
                      qPrintable(formats[i]));
             setPath(path);
-            QTest::mouseClick(find<QPushButton>("exportStart"), Qt::LeftButton);
+            QTest::mouseClick(child<QPushButton>("exportStart"), Qt::LeftButton);
             QTRY_VERIFY_WITH_TIMEOUT(!m_dialog, 30000);
             QVERIFY2(QFileInfo(path).size() > 500, qPrintable(path));
             QVERIFY(m_window->statusBar()->currentMessage().contains(path));
@@ -72,13 +61,13 @@ private slots:
     void writesTheSettlingAsAFolderOfPictures() {
         openSample("plain");
         openDialog();
-        find<QComboBox>("exportFormat")->setCurrentIndex(7);
-        QVERIFY(find<QLineEdit>("exportPath")->text().endsWith(".frames"));
-        find<QSpinBox>("exportWidth")->setValue(64);
-        find<QSpinBox>("exportHeight")->setValue(48);
+        child<QComboBox>("exportFormat")->setCurrentIndex(7);
+        QVERIFY(child<QLineEdit>("exportPath")->text().endsWith(".frames"));
+        child<QSpinBox>("exportWidth")->setValue(64);
+        child<QSpinBox>("exportHeight")->setValue(48);
         const QString path = m_out->filePath("plain.frames");
         setPath(path);
-        QTest::mouseClick(find<QPushButton>("exportStart"), Qt::LeftButton);
+        QTest::mouseClick(child<QPushButton>("exportStart"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(!m_dialog, 60000);
         const QStringList pictures = QDir(path).entryList({"*.png"});
         QVERIFY(pictures.size() >= 10);
@@ -90,10 +79,10 @@ private slots:
     void aCancelledSequenceLeavesNothing() {
         openSample("plain");
         openDialog();
-        find<QComboBox>("exportFormat")->setCurrentIndex(7);
+        child<QComboBox>("exportFormat")->setCurrentIndex(7);
         setPath(m_out->filePath("plain.frames"));
-        QTest::mouseClick(find<QPushButton>("exportStart"), Qt::LeftButton);
-        QTest::mouseClick(find<QPushButton>("exportCancel"), Qt::LeftButton);
+        QTest::mouseClick(child<QPushButton>("exportStart"), Qt::LeftButton);
+        QTest::mouseClick(child<QPushButton>("exportCancel"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(!m_dialog, 30000);
         QVERIFY(QDir(m_out->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).isEmpty());
     }
@@ -102,11 +91,11 @@ private slots:
         openSample("plain");
         openDialog();
         setPath(m_out->filePath("a.png"));
-        find<QSpinBox>("exportWidth")->setValue(300);
-        find<QSpinBox>("exportHeight")->setValue(200);
-        QTest::mouseClick(find<QCheckBox>("exportTransparent"), Qt::LeftButton, {}, {8, 8});
-        QVERIFY(find<QCheckBox>("exportTransparent")->isChecked());
-        find<QComboBox>("exportSide")->setCurrentIndex(2);
+        child<QSpinBox>("exportWidth")->setValue(300);
+        child<QSpinBox>("exportHeight")->setValue(200);
+        QTest::mouseClick(child<QCheckBox>("exportTransparent"), Qt::LeftButton, {}, {8, 8});
+        QVERIFY(child<QCheckBox>("exportTransparent")->isChecked());
+        child<QComboBox>("exportSide")->setCurrentIndex(2);
         QTest::keyClick(m_dialog, Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(!m_dialog, 30000);
         const QImage image(m_out->filePath("a.png"));
@@ -123,18 +112,14 @@ private slots:
 
     void asksBeforeItReplacesAFile() {
         openSample("plain");
-        const QString path = m_out->filePath("there.csv");
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("mine");
-        file.close();
+        const QString path = write("there.csv", "mine");
         openDialog();
-        find<QComboBox>("exportFormat")->setCurrentIndex(6);
+        child<QComboBox>("exportFormat")->setCurrentIndex(6);
         setPath(path);
-        QTest::mouseClick(find<QPushButton>("exportStart"), Qt::LeftButton);
-        QVERIFY(find<QLabel>("exportProblem")->text().contains("exists"));
+        QTest::mouseClick(child<QPushButton>("exportStart"), Qt::LeftButton);
+        QVERIFY(child<QLabel>("exportProblem")->text().contains("exists"));
         QCOMPARE(QFileInfo(path).size(), 4);
-        QTest::mouseClick(find<QPushButton>("exportStart"), Qt::LeftButton);
+        QTest::mouseClick(child<QPushButton>("exportStart"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(!m_dialog, 30000);
         QVERIFY(QFileInfo(path).size() > 500);
     }
@@ -142,12 +127,12 @@ private slots:
     void pixelsAreForPicturesOnly() {
         openSample("plain");
         openDialog();
-        QVERIFY(find<QSpinBox>("exportWidth")->isEnabled());
-        QCOMPARE(find<QSpinBox>("exportWidth")->maximum(), 8192);
-        find<QComboBox>("exportFormat")->setCurrentIndex(2);
-        QVERIFY(!find<QSpinBox>("exportWidth")->isEnabled());
-        QVERIFY(!find<QCheckBox>("exportTransparent")->isEnabled());
-        QVERIFY(!find<QComboBox>("exportSide")->isEnabled());
+        QVERIFY(child<QSpinBox>("exportWidth")->isEnabled());
+        QCOMPARE(child<QSpinBox>("exportWidth")->maximum(), 8192);
+        child<QComboBox>("exportFormat")->setCurrentIndex(2);
+        QVERIFY(!child<QSpinBox>("exportWidth")->isEnabled());
+        QVERIFY(!child<QCheckBox>("exportTransparent")->isEnabled());
+        QVERIFY(!child<QComboBox>("exportSide")->isEnabled());
         QTest::keyClick(m_dialog, Qt::Key_Escape);
         QTRY_VERIFY(!m_dialog);
     }
@@ -156,11 +141,11 @@ private slots:
         openSample("plain");
         openDialog();
         setPath(m_out->filePath("none/a.png"));
-        find<QComboBox>("exportFormat")->setCurrentIndex(1);
-        QTest::mouseClick(find<QPushButton>("exportStart"), Qt::LeftButton);
+        child<QComboBox>("exportFormat")->setCurrentIndex(1);
+        QTest::mouseClick(child<QPushButton>("exportStart"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(
-            find<QLabel>("exportProblem")->text().startsWith("The file cannot be written"), 30000);
-        QVERIFY2(find<QPushButton>("exportStart")->isEnabled(), "one can try again");
+            child<QLabel>("exportProblem")->text().startsWith("The file cannot be written"), 30000);
+        QVERIFY2(child<QPushButton>("exportStart")->isEnabled(), "one can try again");
         QVERIFY(m_dialog->isVisible());
         QTest::keyClick(m_dialog, Qt::Key_Escape);
         QTRY_VERIFY(!m_dialog);
@@ -170,13 +155,13 @@ private slots:
         openSample("cable-left");
         openDialog();
         setPath(m_out->filePath("big.png"));
-        find<QSpinBox>("exportWidth")->setValue(8192);
-        find<QSpinBox>("exportHeight")->setValue(8192);
-        QTest::mouseClick(find<QPushButton>("exportStart"), Qt::LeftButton);
-        QVERIFY(find<QProgressBar>("exportProgress")->isVisible());
-        QVERIFY(!find<QPushButton>("exportStart")->isEnabled());
-        QTRY_VERIFY_WITH_TIMEOUT(find<QProgressBar>("exportProgress")->value() > 0, 30000);
-        QTest::mouseClick(find<QPushButton>("exportCancel"), Qt::LeftButton);
+        child<QSpinBox>("exportWidth")->setValue(8192);
+        child<QSpinBox>("exportHeight")->setValue(8192);
+        QTest::mouseClick(child<QPushButton>("exportStart"), Qt::LeftButton);
+        QVERIFY(child<QProgressBar>("exportProgress")->isVisible());
+        QVERIFY(!child<QPushButton>("exportStart")->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(child<QProgressBar>("exportProgress")->value() > 0, 30000);
+        QTest::mouseClick(child<QPushButton>("exportCancel"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(!m_dialog, 30000);
         QVERIFY2(QDir(m_out->path()).isEmpty(), "nothing is left");
     }
@@ -185,9 +170,9 @@ private slots:
         openSample("cable-left");
         openDialog();
         setPath(m_out->filePath("big.png"));
-        find<QSpinBox>("exportWidth")->setValue(8192);
-        find<QSpinBox>("exportHeight")->setValue(8192);
-        QTest::mouseClick(find<QPushButton>("exportStart"), Qt::LeftButton);
+        child<QSpinBox>("exportWidth")->setValue(8192);
+        child<QSpinBox>("exportHeight")->setValue(8192);
+        QTest::mouseClick(child<QPushButton>("exportStart"), Qt::LeftButton);
         m_window.reset();
         QVERIFY(QDir(m_out->path()).isEmpty());
     }
@@ -201,13 +186,6 @@ private:
         return found;
     }
 
-    void openSample(const char* id) {
-        QSignalSpy opened(&m_window->document(), &Document::opened);
-        m_window->openSample(id);
-        QTRY_COMPARE(opened.count(), 1);
-        QTRY_VERIFY(m_window->document().shownFabric());
-    }
-
     void openDialog() {
         m_window->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
@@ -218,15 +196,13 @@ private:
     }
 
     void setPath(const QString& path) {
-        auto* line = find<QLineEdit>("exportPath");
+        auto* line = child<QLineEdit>("exportPath");
         line->selectAll();
         QTest::keyClicks(line, path);
         QCOMPARE(line->text(), path);
     }
 
-    QTemporaryDir m_folder;
     std::unique_ptr<QTemporaryDir> m_out;
-    std::unique_ptr<MainWindow> m_window;
     QPointer<ExportDialog> m_dialog;
 };
 

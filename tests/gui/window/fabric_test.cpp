@@ -2,23 +2,18 @@
 #include "core/pattern/samples.h"
 #endif
 
+#include "tests/gui/window/window_fixture.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/history/history_card.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
 #include "ui/views/source/source_view.h"
-#include "ui/views/style/appearance.h"
 #include "ui/window/banner.h"
-#include "ui/window/key_guard.h"
-#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QCheckBox>
 #include <QFile>
 #include <QLabel>
 #include <QRegularExpression>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 
 namespace knittsim::ui {
@@ -27,25 +22,15 @@ using document::Activity;
 using document::Document;
 
 /// Ladders and histories in the window, driven by keys and mouse.
-class FabricTest : public QObject {
+class FabricTest : public WindowFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        qputenv("KNITTSIM_CONFIG_DIR", m_folder.path().toUtf8());
-        applyAppearance(*qApp, document::Appearance::Light);
-        qApp->installEventFilter(&m_guard);
-    }
+    void initTestCase() { prepare(); }
 
-    void init() {
-        document::Session().clear();
-        m_window = std::make_unique<MainWindow>();
-        m_window->show();
-        m_window->activateWindow(); // keys go to the active window only
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    }
+    void init() { beginTest(); }
 
-    void cleanup() { m_window.reset(); }
+    void cleanup() { endTest(); }
 
     void aLadderRunsOnItsKeyAndComesBackOnUndo() {
         openWithDrops();
@@ -123,9 +108,8 @@ private slots:
     }
 
     void theCardFollowsTheGridAndStaysOutOfTheWayOfSteps() {
-        QSignalSpy opened(&document(), &Document::opened);
-        document().openText("cable", QString::fromStdString(pattern::sampleText("cable-left")));
-        QTRY_COMPARE(opened.count(), 1);
+        open(
+            [&] { document().openText("cable", QString::fromStdString(pattern::sampleText("cable-left"))); });
         auto* card = child<HistoryCard>("historyCard");
         auto* grid = child<PatternGrid>("patternGrid");
         QTest::mouseClick(grid->viewport(), Qt::LeftButton, {}, grid->showLoop(75));
@@ -264,28 +248,7 @@ private slots:
 private:
     int carrierInUse() { return document().shownFabric()->yarns.front().carrier; }
 
-    template<class T> T* child(const QString& name) {
-        T* found = m_window->findChild<T*>(name);
-        if (!found) {
-            qFatal("no widget %s", qPrintable(name));
-        }
-        return found;
-    }
-
-    Document& document() { return m_window->document(); }
     QString status() { return child<QLabel>("statusLadders")->text(); }
-
-    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-        QTest::keyClick(m_window.get(), key, modifiers);
-    }
-
-    void settle() { QTRY_COMPARE_WITH_TIMEOUT(document().activity(), Activity::AtRest, 30000); }
-
-    void openSample(const char* id) {
-        QSignalSpy opened(&document(), &Document::opened);
-        m_window->openSample(id);
-        QTRY_COMPARE(opened.count(), 1);
-    }
 
     /// Ten wales of plain knit, twelve courses; at the end needle 5 lets its loop go.
     void openWithDrops() {
@@ -296,35 +259,9 @@ private:
                     course % 2 == 0 ? QString("knit + f%1 1\n").arg(i) : QString("knit - f%1 1\n").arg(9 - i);
             }
         }
-        QFile file(m_folder.filePath("drops.k"));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write((text + "drop f4\nout 1\n").toUtf8());
-        file.close();
-        QSignalSpy opened(&document(), &Document::opened);
-        m_window->openFile(file.fileName());
-        QTRY_COMPARE(opened.count(), 1);
+        const QString path = write("drops.k", (text + "drop f4\nout 1\n").toUtf8());
+        open([&] { m_window->openFile(path); });
     }
-
-    /// Clicks near the middle of the fabric until yarn is hit.
-    void clickYarn() {
-        auto* fabric = child<FabricView>("fabricView");
-        QSignalSpy clicked(fabric, &FabricView::pointClicked);
-        const QPoint middle = fabric->rect().center();
-        const auto hit = [&] {
-            for (int x = 0; x < 60; x += 3) {
-                QTest::mouseClick(fabric, Qt::LeftButton, {}, middle + QPoint(x, x / 2));
-                if (clicked.last().front().toInt() >= 0) {
-                    return true;
-                }
-            }
-            return false;
-        };
-        QTRY_VERIFY(hit()); // the first picture may still be under way
-    }
-
-    QTemporaryDir m_folder;
-    KeyGuard m_guard;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 } // namespace knittsim::ui

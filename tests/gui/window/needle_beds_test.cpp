@@ -2,18 +2,13 @@
 #include "core/pattern/samples.h"
 #endif
 
+#include "tests/gui/window/window_fixture.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/needle_beds/needle_beds.h"
 #include "ui/views/step_player/step_player.h"
-#include "ui/views/style/appearance.h"
-#include "ui/window/key_guard.h"
-#include "ui/window/main_window.h"
 
 #include <QDockWidget>
 #include <QHelpEvent>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QToolTip>
 #include <QWheelEvent>
 
@@ -23,52 +18,42 @@ using document::Document;
 using machine::Bed;
 using machine::Needle;
 
-class NeedleBedsTest : public QObject {
+class NeedleBedsTest : public WindowFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        qputenv("KNITTSIM_CONFIG_DIR", m_folder.path().toUtf8());
-        applyAppearance(*qApp, document::Appearance::Light);
-        qApp->installEventFilter(&m_guard);
-    }
+    void initTestCase() { prepare(); }
 
     void init() {
-        document::Session().clear();
-        m_window = std::make_unique<MainWindow>();
-        m_window->show();
-        m_window->activateWindow(); // keys go to the active window only
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-        QSignalSpy opened(&document(), &Document::opened);
-        m_window->openSample(QStringLiteral("transfer-demo"));
-        QTRY_COMPARE(opened.count(), 1);
+        beginTest();
+        openSample("transfer-demo");
         m_window->findChild<FabricView*>(QStringLiteral("fabricView"))->setFocus();
     }
 
-    void cleanup() { m_window.reset(); }
+    void cleanup() { endTest(); }
 
     void aKeyShowsAndHidesThem() {
         auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("bedDock"));
         QVERIFY(!dock->isVisible());
-        key(Qt::Key_N);
+        press(Qt::Key_N);
         QVERIFY(beds().isVisible());
         QVERIFY(!beds().picture().needles.empty());
-        key(Qt::Key_N);
+        press(Qt::Key_N);
         QVERIFY(!dock->isVisible());
     }
 
     void aStepIsShownMovingThereAndBack() {
         teach();
         document().setStep(200);
-        key(Qt::Key_Right);
+        press(Qt::Key_Right);
         QVERIFY(beds().clock().running());
         QTRY_VERIFY(beds().clock().phase() > 0.2);
-        key(Qt::Key_Left);
+        press(Qt::Key_Left);
         QCOMPARE(document().step(), 200);
         QCOMPARE(beds().clock().operation(), 200);
         QTRY_VERIFY(!beds().clock().moving());
         QCOMPARE(beds().clock().operation(), 199);
-        key(Qt::Key_Right);
+        press(Qt::Key_Right);
         QTRY_VERIFY(!beds().clock().moving());
         QCOMPARE(beds().clock().operation(), 200);
         QCOMPARE(beds().clock().phase(), 1.0);
@@ -78,17 +63,17 @@ private slots:
         teach();
         document().setStep(200);
         QTRY_VERIFY(!beds().clock().moving());
-        key(Qt::Key_Space);
+        press(Qt::Key_Space);
         QTRY_VERIFY(beds().clock().running() && beds().clock().phase() > 0.3);
-        key(Qt::Key_Space);
+        press(Qt::Key_Space);
         QVERIFY(beds().clock().moving());
         QVERIFY(!beds().clock().running());
         const double held = beds().clock().phase();
         beds().grab();
         QCOMPARE(beds().clock().phase(), held);
-        key(Qt::Key_Space);
+        press(Qt::Key_Space);
         QTRY_VERIFY(!beds().clock().moving() || beds().clock().phase() > held);
-        key(Qt::Key_Space);
+        press(Qt::Key_Space);
     }
 
     void aClickSelectsTheLoopInAllViews() {
@@ -132,7 +117,7 @@ private slots:
         QCoreApplication::sendEvent(&beds(), &turn);
         QVERIFY(beds().pitchPixels() > 1.3 * pitch);
         QVERIFY(std::abs(beds().placeOf({Bed::Front, 10}).x() - place.x()) <= 1);
-        key(Qt::Key_N, Qt::ShiftModifier);
+        press(Qt::Key_N, Qt::ShiftModifier);
         QCOMPARE(beds().pitchPixels(), pitch);
     }
 
@@ -141,7 +126,7 @@ private slots:
         document().setStep(200);
         beds().setFocus();
         const double pitch = beds().pitchPixels();
-        key(Qt::Key_Right);
+        press(Qt::Key_Right);
         QCOMPARE(document().step(), 201);
         QTest::keyClick(&beds(), Qt::Key_Plus);
         QVERIFY(beds().pitchPixels() > pitch);
@@ -196,9 +181,7 @@ private slots:
     }
 
 private:
-    Document& document() { return m_window->document(); }
     NeedleBeds& beds() { return *m_window->findChild<NeedleBeds*>(QStringLiteral("needleBeds")); }
-    void key(Qt::Key which, Qt::KeyboardModifiers with = {}) { QTest::keyClick(m_window.get(), which, with); }
 
     /// The first one of the front bed that holds exactly one loop.
     Needle needleWithLoop() {
@@ -211,16 +194,12 @@ private:
     }
 
     void teach() {
-        key(Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
+        press(Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(beds().isVisible());
         QTRY_VERIFY(beds().width() > 1000 && beds().height() > 200); // once it is laid out anew
         QCoreApplication::processEvents();
         beds().follow();
     }
-
-    QTemporaryDir m_folder;
-    KeyGuard m_guard;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 } // namespace knittsim::ui

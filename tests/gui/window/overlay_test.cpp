@@ -2,18 +2,13 @@
 #include "core/pattern/samples.h"
 #endif
 
+#include "tests/gui/window/window_fixture.h"
 #include "ui/views/fabric_view/annotation_painter.h"
 #include "ui/views/fabric_view/fabric_view.h"
-#include "ui/views/style/appearance.h"
-#include "ui/window/key_guard.h"
-#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QFile>
 #include <QHelpEvent>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QToolTip>
 #include <QWheelEvent>
 
@@ -23,25 +18,15 @@ using document::Activity;
 using document::Document;
 
 /// What is written over the fabric, driven by keys and mouse.
-class OverlayTest : public QObject {
+class OverlayTest : public WindowFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        qputenv("KNITTSIM_CONFIG_DIR", m_folder.path().toUtf8());
-        applyAppearance(*qApp, document::Appearance::Light);
-        qApp->installEventFilter(&m_guard);
-    }
+    void initTestCase() { prepare(); }
 
-    void init() {
-        document::Session().clear();
-        m_window = std::make_unique<MainWindow>();
-        m_window->show();
-        m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    }
+    void init() { beginTest(); }
 
-    void cleanup() { m_window.reset(); }
+    void cleanup() { endTest(); }
 
     void guidesAreAsFarApartAsThereIsRoom() {
         QCOMPARE(guideStep(1, 0.01), 1);
@@ -79,7 +64,8 @@ private slots:
 
     void switchesChangeThePictureAndTheMenu() {
         openSample("plain");
-        settle();
+        settleInView();
+        waitForTheLastPicture();
         QVERIFY(action("actionDimensions")->isChecked());
         const QImage with = grab();
         press(Qt::Key_5, Qt::AltModifier);
@@ -97,7 +83,7 @@ private slots:
 
     void oneCourseAndOneYarnAlone() {
         openSample("float-jacquard");
-        settle();
+        settleInView();
         const QImage all = fabric()->picture();
         clickYarn();
         const int loop = document().selection().loop;
@@ -127,7 +113,7 @@ private slots:
 
     void anotherFileIsShownWhole() {
         openSample("plain");
-        settle();
+        settleInView();
         document().selectLoop(50);
         press(Qt::Key_I);
         QCOMPARE(fabric()->alone(), FabricView::Alone::Yarn);
@@ -137,7 +123,7 @@ private slots:
 
     void theTapeMeasuresWhatTheScaleBarSays() {
         openSample("plain");
-        settle();
+        settleInView();
         press(Qt::Key_F);
         press(Qt::Key_M);
         QVERIFY(fabric()->isTaping());
@@ -163,7 +149,7 @@ private slots:
 
     void aSectionCutsAwayWhatLiesInFront() {
         openSample("rib-1x1");
-        settle();
+        settleInView();
         const int all = yarnPixels(fabric()->picture());
         press(Qt::Key_X);
         QVERIFY(fabric()->section());
@@ -195,14 +181,9 @@ private slots:
                 text += QString("knit %1 f%2 1\n").arg(course % 2 == 0 ? '+' : '-').arg(needle);
             }
         }
-        QFile file(m_folder.filePath("held.k"));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write((text + "xfer f3 b5\nout 1\n").toUtf8());
-        file.close();
-        QSignalSpy opened(&document(), &Document::opened);
-        m_window->openFile(file.fileName());
-        QTRY_COMPARE(opened.count(), 1);
-        settle();
+        const QString path = write("held.k", (text + "xfer f3 b5\nout 1\n").toUtf8());
+        open([&] { m_window->openFile(path); });
+        settleInView();
         QVERIFY(!document().problems().empty());
         QVERIFY(fabric()->words().contains("\u00d7 error, ! warning"));
         const QImage with = grab();
@@ -213,9 +194,9 @@ private slots:
 
     void theToolTipNamesTheStitch() {
         openSample("plain");
-        settle();
-        clickYarn();
-        QHelpEvent help(QEvent::ToolTip, m_hit, fabric()->mapToGlobal(m_hit));
+        settleInView();
+        const QPoint place = clickYarn();
+        QHelpEvent help(QEvent::ToolTip, place, fabric()->mapToGlobal(place));
         QCoreApplication::sendEvent(fabric(), &help);
         const QString text = QToolTip::text();
         QVERIFY2(text.contains("needle") && text.contains("course") && text.contains("carrier 1") &&
@@ -224,31 +205,20 @@ private slots:
     }
 
 private:
-    template<class T> T* child(const QString& name) {
-        T* found = m_window->findChild<T*>(name);
-        if (!found) {
-            qFatal("no widget %s", qPrintable(name));
-        }
-        return found;
-    }
-    Document& document() { return m_window->document(); }
-    FabricView* fabric() { return child<FabricView>("fabricView"); }
-    QAction* action(const char* name) { return child<QAction>(name); }
-    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-        QTest::keyClick(m_window.get(), key, modifiers);
-    }
-
-    /// At rest, drawn, and the mouse away.
-    void settle() {
-        QTRY_COMPARE_WITH_TIMEOUT(document().activity(), Activity::AtRest, 30000);
+    /// At rest and drawn.
+    void settleInView() {
+        settle();
         QTRY_VERIFY(yarnPixels(fabric()->picture()) > 0);
     }
 
-    void openSample(const char* id) {
-        QSignalSpy opened(&document(), &Document::opened);
-        m_window->openSample(id);
-        QTRY_COMPARE(opened.count(), 1);
-        QTRY_VERIFY(document().shownFabric());
+    /// Until the strands that touched are drawn apart, which goes on for a while at rest.
+    void waitForTheLastPicture() {
+        const auto stays = [&] {
+            const QImage before = grab();
+            QTest::qWait(300);
+            return grab() == before;
+        };
+        QVERIFY(QTest::qWaitFor(stays, 60000));
     }
 
     QImage grab() {
@@ -269,28 +239,6 @@ private:
         }
         return count;
     }
-
-    /// Clicks near the middle of the fabric until yarn is hit.
-    void clickYarn() {
-        QSignalSpy clicked(fabric(), &FabricView::pointClicked);
-        const QPoint middle = fabric()->rect().center();
-        const auto hit = [&] {
-            for (int x = 0; x < 60; x += 3) {
-                m_hit = middle + QPoint(x, x / 2);
-                QTest::mouseClick(fabric(), Qt::LeftButton, {}, m_hit);
-                if (clicked.last().front().toInt() >= 0) {
-                    return true;
-                }
-            }
-            return false;
-        };
-        QTRY_VERIFY(hit());
-    }
-
-    QTemporaryDir m_folder;
-    KeyGuard m_guard;
-    QPoint m_hit;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 } // namespace knittsim::ui

@@ -2,20 +2,15 @@
 #include "core/pattern/samples.h"
 #endif
 
+#include "tests/gui/window/window_fixture.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/needle_beds/needle_beds.h"
 #include "ui/views/step_player/step_player.h"
-#include "ui/views/style/appearance.h"
-#include "ui/window/key_guard.h"
-#include "ui/window/main_window.h"
 
 #include <QComboBox>
 #include <QInputDialog>
 #include <QLineEdit>
 #include <QMenu>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 
 #include <set>
@@ -25,61 +20,51 @@ namespace knittsim::ui {
 using document::Document;
 using machine::OperationKind;
 
-class PlayerTest : public QObject {
+class PlayerTest : public WindowFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        qputenv("KNITTSIM_CONFIG_DIR", m_folder.path().toUtf8());
-        applyAppearance(*qApp, document::Appearance::Light);
-        qApp->installEventFilter(&m_guard);
-    }
+    void initTestCase() { prepare(); }
 
     void init() {
-        document::Session().clear();
-        m_window = std::make_unique<MainWindow>();
-        m_window->show();
-        m_window->activateWindow(); // keys go to the active window only
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-        QSignalSpy opened(&document(), &Document::opened);
-        m_window->openSample(QStringLiteral("transfer-demo"));
-        QTRY_COMPARE(opened.count(), 1);
+        beginTest();
+        openSample("transfer-demo");
         child<FabricView>("fabricView")->setFocus();
     }
 
-    void cleanup() { m_window.reset(); }
+    void cleanup() { endTest(); }
 
     void aRangeIsPlayedAgainAndAgain() {
         document().setStep(100);
-        key(Qt::Key_Home, Qt::ShiftModifier);
+        press(Qt::Key_Home, Qt::ShiftModifier);
         document().setStep(105);
-        key(Qt::Key_End, Qt::ShiftModifier);
+        press(Qt::Key_End, Qt::ShiftModifier);
         QVERIFY(player().marks().loops());
         QVERIFY(child<QToolButton>("loopButton")->isChecked());
         player().setSpeed(250);
         QSignalSpy steps(&document(), &Document::stepChanged);
-        key(Qt::Key_Space);
+        press(Qt::Key_Space);
         QTRY_VERIFY(steps.count() > 8);
         QVERIFY(player().isPlaying());
         QVERIFY(document().step() >= 100 && document().step() <= 105);
-        key(Qt::Key_Space);
-        key(Qt::Key_Escape, Qt::ShiftModifier);
+        press(Qt::Key_Space);
+        press(Qt::Key_Escape, Qt::ShiftModifier);
         QVERIFY(!player().marks().loops());
     }
 
     void bookmarksAreSetWalkedAndListed() {
         for (const int step : {50, 200}) {
             document().setStep(step);
-            key(Qt::Key_B, Qt::ControlModifier);
+            press(Qt::Key_B, Qt::ControlModifier);
         }
         document().setStep(0);
-        key(Qt::Key_F2);
+        press(Qt::Key_F2);
         QCOMPARE(document().step(), 50);
-        key(Qt::Key_F2);
+        press(Qt::Key_F2);
         QCOMPARE(document().step(), 200);
-        key(Qt::Key_F2);
+        press(Qt::Key_F2);
         QCOMPARE(document().step(), 200);
-        key(Qt::Key_F2, Qt::ShiftModifier);
+        press(Qt::Key_F2, Qt::ShiftModifier);
         QCOMPARE(document().step(), 50);
         const QList<QAction*> listed = child<QToolButton>("bookmarkButton")->menu()->actions();
         QVERIFY(listed.at(listed.size() - 1)->text().startsWith("200: "));
@@ -95,7 +80,7 @@ private slots:
         QVERIFY(child<QToolButton>("stopButton")->isChecked());
         player().setSpeed(5000);
         for (int i = 0; i < 3; ++i) {
-            key(Qt::Key_Space);
+            press(Qt::Key_Space);
             QTRY_VERIFY(!player().isPlaying());
             const auto& operations = document().file()->timeline->program().operations;
             QVERIFY(operations.at(static_cast<std::size_t>(document().step()) - 1).kind ==
@@ -110,7 +95,7 @@ private slots:
     }
 
     void aLineIsJumpedTo() {
-        key(Qt::Key_G, Qt::ControlModifier);
+        press(Qt::Key_G, Qt::ControlModifier);
         auto* dialog = m_window->findChild<QInputDialog*>(QStringLiteral("lineDialog"));
         QVERIFY(dialog);
         dialog->setIntValue(40);
@@ -123,7 +108,7 @@ private slots:
 
     /// In class the keys of the player work wherever the focus is, but for text.
     void keysStepWhereverTheFocusIs() {
-        key(Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
+        press(Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
         m_window->findChild<QAction*>("actionNeedleBeds")->setChecked(true);
         for (const char* dock : {"sourceDock", "gridDock", "problemDock", "yarnDock", "bedDock"}) {
             m_window->findChild<QWidget*>(dock)->show();
@@ -200,16 +185,7 @@ private slots:
     }
 
 private:
-    Document& document() { return m_window->document(); }
     StepPlayer& player() { return *child<StepPlayer>("stepPlayer"); }
-    template<class T> T* child(const char* name) {
-        return m_window->findChild<T*>(QString::fromLatin1(name));
-    }
-    void key(Qt::Key which, Qt::KeyboardModifiers with = {}) { QTest::keyClick(m_window.get(), which, with); }
-
-    QTemporaryDir m_folder;
-    KeyGuard m_guard;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 } // namespace knittsim::ui

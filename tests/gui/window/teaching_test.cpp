@@ -1,3 +1,4 @@
+#include "tests/gui/window/window_fixture.h"
 #include "ui/dialogs/glossary_dialog.h"
 #include "ui/document/operation_text.h"
 #include "ui/views/fabric_view/fabric_view.h"
@@ -8,8 +9,6 @@
 #include "ui/views/style/appearance.h"
 #include "ui/views/style/language.h"
 #include "ui/window/banner.h"
-#include "ui/window/key_guard.h"
-#include "ui/window/main_window.h"
 
 #include <QDir>
 #include <QDockWidget>
@@ -19,9 +18,6 @@
 #include <QMenuBar>
 #include <QProgressDialog>
 #include <QPushButton>
-#include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -29,24 +25,19 @@ namespace knittsim::ui {
 
 using document::Document;
 
-class TeachingTest : public QObject {
+class TeachingTest : public WindowFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        qputenv("KNITTSIM_CONFIG_DIR", m_folder.path().toUtf8());
-        applyAppearance(*qApp, document::Appearance::Light);
-        qApp->installEventFilter(&m_guard);
-    }
+    void initTestCase() { prepare(); }
 
     void init() {
-        document::Session().clear();
         applyLanguage(*qApp, QStringLiteral("en"));
-        openWindow();
+        beginTest();
     }
 
     void cleanup() {
-        m_window.reset();
+        endTest();
         applyLanguage(*qApp, QStringLiteral("en"));
     }
 
@@ -59,12 +50,12 @@ private slots:
         const auto steps = panel().stopSteps();
         QVERIFY(steps.size() >= 4);
         QCOMPARE(document().step(), steps.at(0));
-        key(Qt::Key_PageDown);
+        press(Qt::Key_PageDown);
         QCOMPARE(document().step(), steps.at(1));
         QTest::mouseClick(child<QToolButton>("stopNext"), Qt::LeftButton);
         QCOMPARE(document().step(), steps.at(2));
         QVERIFY(child<QLabel>("lessonTitle")->text().contains("rack", Qt::CaseInsensitive));
-        key(Qt::Key_PageUp);
+        press(Qt::Key_PageUp);
         QCOMPARE(document().step(), steps.at(1));
         QVERIFY(child<TeachingBoard>("teachingBoard")
                     ->sentence()
@@ -83,7 +74,7 @@ private slots:
             QVERIFY2(std::ranges::is_sorted(steps), panel().current()->id.c_str());
             QVERIFY2(std::ranges::adjacent_find(steps) == steps.end(), panel().current()->id.c_str());
             for (std::size_t stop = 1; stop < steps.size(); ++stop) {
-                key(Qt::Key_PageDown);
+                press(Qt::Key_PageDown);
                 QCOMPARE(document().step(), steps.at(stop));
             }
         }
@@ -135,18 +126,18 @@ private slots:
 
     void layoutsHaveAKeyEachAndAreRemembered() {
         openSample("plain");
-        key(Qt::Key_F7);
+        press(Qt::Key_F7);
         QVERIFY(child<QDockWidget>("problemDock")->isVisible());
         QVERIFY(!child<QDockWidget>("yarnDock")->isVisible());
-        key(Qt::Key_F4);
+        press(Qt::Key_F4);
         QVERIFY(child<TeachingBoard>("teachingBoard")->isVisible());
         QVERIFY(!child<QDockWidget>("sourceDock")->isVisible());
         child<QDockWidget>("sourceDock")->show(); // as this teacher likes it
-        key(Qt::Key_F3);
+        press(Qt::Key_F3);
         QVERIFY(child<QDockWidget>("yarnDock")->isVisible());
         QVERIFY(!child<TeachingBoard>("teachingBoard")->isVisible());
         QVERIFY(child<QToolBar>("toolBar")->isVisible());
-        key(Qt::Key_F4);
+        press(Qt::Key_F4);
         QVERIFY(child<QDockWidget>("sourceDock")->isVisible());
         m_window->close();
         openWindow();
@@ -157,7 +148,7 @@ private slots:
 
     void theBoardIsReadFromAfarAndSharp() {
         openSample("plain");
-        key(Qt::Key_F4);
+        press(Qt::Key_F4);
         document().setStep(130);
         auto* course = child<QLabel>("boardCourse");
         QVERIFY(course->text().contains("Row"));
@@ -166,12 +157,12 @@ private slots:
         const double light = colours.color(QPalette::Window).lightnessF();
         const double ink = colours.color(QPalette::WindowText).lightnessF();
         QVERIFY(std::abs(light - ink) > 0.99);
-        key(Qt::Key_F3);
+        press(Qt::Key_F3);
         QVERIFY(m_window->palette().color(QPalette::Window) == lightPalette().color(QPalette::Window));
     }
 
     void everyWordOfTheGlossaryIsShownByNeedles() {
-        key(Qt::Key_F1, Qt::ShiftModifier);
+        press(Qt::Key_F1, Qt::ShiftModifier);
         auto* dialog = m_window->findChild<GlossaryDialog*>();
         QVERIFY(dialog);
         QStringList ids;
@@ -293,11 +284,11 @@ private slots:
         const QStringList before = QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden);
         for (const char* name : {"gone", "gone.webp", "gone.pdf"}) {
             m_window->record(m_folder.filePath(name));
-            auto* progress = child<QProgressDialog>("recordProgress");
+            auto* progress = recording();
             QVERIFY(progress && progress->isVisible());
             QTRY_VERIFY(progress->value() > 0);
             QTest::mouseClick(progress->findChild<QPushButton*>(), Qt::LeftButton);
-            QTRY_VERIFY(!child<QProgressDialog>("recordProgress"));
+            QTRY_VERIFY(!recording());
             QCOMPARE(document().step(), 300);
         }
         QCOMPARE(QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden), before);
@@ -330,30 +321,10 @@ private slots:
     }
 
 private:
-    Document& document() { return m_window->document(); }
     LessonPanel& panel() { return *child<LessonPanel>("lessonPanel"); }
-    template<class T> T* child(const char* name) {
-        return m_window->findChild<T*>(QString::fromLatin1(name));
-    }
-    void key(Qt::Key which, Qt::KeyboardModifiers with = {}) { QTest::keyClick(m_window.get(), which, with); }
-
-    void openWindow() {
-        m_window = std::make_unique<MainWindow>();
-        m_window->show();
-        m_window->activateWindow(); // keys go to the active window only
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    }
-
-    void openSample(const char* id) {
-        QSignalSpy opened(&document(), &Document::opened);
-        m_window->openSample(QString::fromLatin1(id));
-        QTRY_COMPARE(opened.count(), 1);
-    }
 
     void begin(int lesson) {
-        QSignalSpy opened(&document(), &Document::opened);
-        panel().begin(lesson);
-        QTRY_COMPARE(opened.count(), 1);
+        open([&] { panel().begin(lesson); });
         QVERIFY(panel().running());
     }
 
@@ -364,22 +335,12 @@ private:
         marks.setLoopTo(to);
     }
 
+    QProgressDialog* recording() { return m_window->findChild<QProgressDialog*>("recordProgress"); }
+
     void record(const QString& path) {
         m_window->record(path);
-        QTRY_VERIFY_WITH_TIMEOUT(!child<QProgressDialog>("recordProgress"), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(!recording(), 60000);
     }
-
-    QString write(const char* name, const char* text) {
-        QFile file(m_folder.filePath(name));
-        if (file.open(QIODevice::WriteOnly)) {
-            file.write(text);
-        }
-        return file.fileName();
-    }
-
-    QTemporaryDir m_folder;
-    KeyGuard m_guard;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 } // namespace knittsim::ui

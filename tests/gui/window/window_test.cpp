@@ -2,6 +2,7 @@
 #include "core/pattern/samples.h"
 #endif
 
+#include "tests/gui/window/window_fixture.h"
 #include "ui/views/diagnostics/diagnostics_panel.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
@@ -10,8 +11,6 @@
 #include "ui/views/style/appearance.h"
 #include "ui/window/banner.h"
 #include "ui/window/gallery.h"
-#include "ui/window/key_guard.h"
-#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -24,10 +23,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
-#include <QSignalSpy>
 #include <QSlider>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 
 namespace knittsim::ui {
@@ -35,22 +31,15 @@ namespace knittsim::ui {
 using document::Activity;
 using document::Document;
 
-class WindowTest : public QObject {
+class WindowTest : public WindowFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        qputenv("KNITTSIM_CONFIG_DIR", m_folder.path().toUtf8());
-        applyAppearance(*qApp, document::Appearance::Light);
-        qApp->installEventFilter(&m_guard);
-    }
+    void initTestCase() { prepare(); }
 
-    void init() {
-        document::Session().clear();
-        openWindow();
-    }
+    void init() { beginTest(); }
 
-    void cleanup() { m_window.reset(); }
+    void cleanup() { endTest(); }
 
     void beginsWithTheGallery() {
         QVERIFY(child<Gallery>("gallery")->isVisible());
@@ -65,7 +54,7 @@ private slots:
         QTRY_VERIFY(document().file());
         QVERIFY(child<FabricView>("fabricView")->isVisible());
         QVERIFY(m_window->windowTitle().startsWith("Rib 1x1"));
-        QTRY_COMPARE_WITH_TIMEOUT(document().activity(), Activity::AtRest, 30000);
+        settle();
         QTRY_VERIFY(child<QLabel>("simulationState")->text().startsWith("At rest"));
         QVERIFY(child<QLabel>("statusStitches")->text().contains("stitches"));
         QVERIFY(child<QLabel>("statusEnergy")->text().startsWith("V "));
@@ -178,7 +167,7 @@ private slots:
 
     void aYarnGoesOntoACarrierAndBack() {
         openSample("plain");
-        QTRY_COMPARE_WITH_TIMEOUT(document().activity(), Activity::AtRest, 30000);
+        settle();
         const std::uint64_t generation = document().generation();
         const QString before = yarnOnFirstCarrier();
         child<QLineEdit>("yarnSearch")->setText("mohair");
@@ -306,8 +295,8 @@ private slots:
 
     void aDroppedFileIsOpened() {
         QMimeData data;
-        data.setUrls(
-            {QUrl::fromLocalFile(write("dropped.k", QString::fromStdString(pattern::sampleText("plain"))))});
+        data.setUrls({QUrl::fromLocalFile(
+            write("dropped.k", QByteArray::fromStdString(pattern::sampleText("plain"))))});
         QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(m_window.get(), &enter);
         QVERIFY(enter.isAccepted());
@@ -318,7 +307,7 @@ private slots:
     }
 
     void recentFilesAndWindowAreRemembered() {
-        const QString path = write("remembered.k", QString::fromStdString(pattern::sampleText("seed")));
+        const QString path = write("remembered.k", QByteArray::fromStdString(pattern::sampleText("seed")));
         m_window->openFile(path);
         QTRY_VERIFY(document().file());
         child<QDockWidget>("yarnDock")->close();
@@ -337,12 +326,12 @@ private slots:
 
     void startsPausesAndRestarts() {
         openSample("plain");
-        QTRY_COMPARE_WITH_TIMEOUT(document().activity(), Activity::AtRest, 30000);
+        settle();
         const std::uint64_t generation = document().generation();
         child<FabricView>("fabricView")->setFocus();
         QTest::keyClick(m_window.get(), Qt::Key_R);
         QCOMPARE(document().generation(), generation + 1);
-        QTRY_COMPARE_WITH_TIMEOUT(document().activity(), Activity::AtRest, 30000);
+        settle();
         auto* choice = child<QComboBox>("integratorChoice");
         QVERIFY(choice->count() >= 4);
         choice->setCurrentIndex(1);
@@ -431,50 +420,13 @@ private slots:
     }
 
 private:
-    template<class T> T* child(const QString& name) {
-        T* found = m_window->findChild<T*>(name);
-        if (!found) {
-            qFatal("no widget %s", qPrintable(name));
-        }
-        return found;
-    }
-
-    QAction* action(const QString& name) { return child<QAction>(name); }
-    Document& document() { return m_window->document(); }
-
-    void openWindow() {
-        m_window.reset();
-        m_window = std::make_unique<MainWindow>();
-        m_window->show();
-        m_window->activateWindow(); // keys go to the active window only
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    }
-
-    void openSample(const char* id) {
-        QSignalSpy opened(&document(), &Document::opened);
-        m_window->openSample(id);
-        QTRY_COMPARE(opened.count(), 1);
-    }
-
     /// A sample as machine data, which is looked at in the pattern grid.
     void openData(const char* id) {
-        QSignalSpy opened(&document(), &Document::opened);
-        document().openText(id, QString::fromStdString(pattern::sampleText(id)));
-        QTRY_COMPARE(opened.count(), 1);
+        open([&] { document().openText(id, QString::fromStdString(pattern::sampleText(id))); });
     }
 
     QString yarnOnFirstCarrier() {
         return child<QListView>("carrierList")->model()->index(0, 0).data(Qt::DisplayRole).toString();
-    }
-
-    QString write(const QString& name, const QString& text) {
-        const QString path = m_folder.filePath(name);
-        QFile file(path);
-        if (!file.open(QIODevice::WriteOnly)) {
-            qFatal("cannot write %s", qPrintable(path));
-        }
-        file.write(text.toUtf8());
-        return path;
     }
 
     QStringList misfits() {
@@ -531,10 +483,6 @@ private:
         const auto [low, high] = std::minmax({lightness(a), lightness(b)});
         return (high + 0.05) / (low + 0.05);
     }
-
-    QTemporaryDir m_folder;
-    KeyGuard m_guard;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 } // namespace knittsim::ui
