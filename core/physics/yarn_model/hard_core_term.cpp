@@ -10,7 +10,8 @@ namespace knittsim::physics {
 namespace {
 constexpr double kSkin = 0.3; ///< outer diameters of the thickest yarn
 constexpr double kTiny = 1e-12;
-constexpr double kUsualOff = 1.0 / 6; ///< mean square of how far two places are off the middles of segments
+constexpr double kUsualOff =
+    0.16; ///< about the mean square of how far two places are off the middles of segments
 
 double square(double v) {
     return v * v;

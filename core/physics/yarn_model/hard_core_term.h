@@ -14,13 +14,13 @@ namespace knittsim::physics {
 ///
 /// Segments side by side have closest points that jump from end to end. So the distance that counts is that
 /// of min |p(s) - q(t)|^2 + L ((s - 1/2)^2 + (t - 1/2)^2 - 1/6), L = kSmoothing core^2: smooth in the shape,
-/// on average the true one and never off by more than a third of a percent of the core. Gauss-Newton Hessian,
+/// on average the true one and never off by more than a fifth of a percent of the core. Gauss-Newton Hessian,
 /// as if these points stayed where they are.
 class HardCoreTerm final : public EnergyTerm {
 public:
     static constexpr double kReach = 1.1;
     static constexpr double kStiffness = 100; ///< times that of the soft shell
-    static constexpr double kSmoothing = 0.02;
+    static constexpr double kSmoothing = 0.01;
     /// The Hessian counts cores that nearly touch, up to this share beyond kReach, as if they touched: a
     /// step would press them together without knowing.
     static constexpr double kAhead = 0.02;

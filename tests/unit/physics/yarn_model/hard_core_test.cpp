@@ -47,7 +47,7 @@ TEST(HardCoreTerm, IsSmoothWhereSegmentsLieSideBySide) {
     };
     const Vector level = forceAt(0);
     EXPECT_GT(level.norm(), 0);
-    EXPECT_LT((forceAt(1e-4) - forceAt(-1e-4)).norm(), 0.1 * level.norm());
+    EXPECT_LT((forceAt(1e-5) - forceAt(-1e-5)).norm(), 0.1 * level.norm());
 }
 
 TEST(HardCoreTerm, LeavesAYarnsOwnBendAlone) {
