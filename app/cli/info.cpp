@@ -73,8 +73,10 @@ nlohmann::ordered_json inspect(const Loaded& loaded) {
             {"stitches", report.certificate.pairs},
             {"pull_throughs", report.certificate.failures.size()},
             {"smallest_distance_mm", report.nearest.mm},
+            {"pieces_too_far", report.piecesTooFar},
             {"pieces", report.pieces},
-            {"pieces_as_stored", report.piecesAsStored}};
+            {"pieces_as_stored", report.piecesAsStored},
+            {"pieces_out_of_reach", report.piecesOutOfReach}};
 }
 
 void printText(const nlohmann::ordered_json& info) {
@@ -110,10 +112,11 @@ void printText(const nlohmann::ordered_json& info) {
             "  yarn curves     {} of {} crossings as recorded, {} faults; {} stitches, {} pull-throughs\n",
             curves["crossings_found"].dump(), curves["crossings_expected"].dump(),
             curves["crossing_faults"].dump(), curves["stitches"].dump(), curves["pull_throughs"].dump());
-        fmt::print(
-            "                  strands {:.3f} mm apart or more; {} of {} pieces as long as their yarn\n",
-            curves["smallest_distance_mm"].get<double>(), curves["pieces_as_stored"].dump(),
-            curves["pieces"].dump());
+        fmt::print("                  strands {:.3f} mm apart or more; {} of {} pieces as long as their "
+                   "yarn, {} cannot "
+                   "be\n",
+                   curves["smallest_distance_mm"].get<double>(), curves["pieces_as_stored"].dump(),
+                   curves["pieces"].dump(), curves["pieces_out_of_reach"].dump());
     }
 }
 

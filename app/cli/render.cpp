@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unistd.h>
 
@@ -35,6 +36,7 @@ struct RenderOptions {
     bool transparent = false;
     ColourBy colour = ColourBy::Yarn;
     bool noFuzz = false;
+    std::string detail = "auto";
     std::string frames; ///< folder; none when empty
 };
 
@@ -51,6 +53,15 @@ void printScale(ColourBy colour, std::span<const float> values) {
     const bool tension = colour == ColourBy::Tension;
     fmt::print("{} from {:g} {} (dark violet) to {:g} (yellow)\n", tension ? "yarn tension" : "contact force",
                range.low, tension ? "mN" : "mN/mm", range.high);
+}
+
+/// Nothing for "auto".
+std::optional<render::DetailLevel> levelOf(const std::string& name) {
+    using render::DetailLevel;
+    return name == "yarn"      ? std::optional(DetailLevel::Yarn)
+           : name == "tubes"   ? std::optional(DetailLevel::Tubes)
+           : name == "strokes" ? std::optional(DetailLevel::Strokes)
+                               : std::nullopt;
 }
 
 void print(const Diagnostics& diagnostics) {
@@ -122,6 +133,7 @@ int runRender(const RenderOptions& options) {
     request.style = options.style;
     request.side = options.side;
     request.hair = !options.noFuzz;
+    request.level = levelOf(options.detail);
     request.dark = options.dark;
     request.transparent = options.transparent;
     if (!options.frames.empty()) {
@@ -178,6 +190,12 @@ void addRender(CLI::App& app, Command& chosen) {
     command->add_option("--size", options->size, "WxH in pixels")->capture_default_str();
     addSettling(*command, options->settle);
     addFabric(*command, options->load);
+    command
+        ->add_option(
+            "--detail", options->detail,
+            "how finely yarns are drawn: auto (as their width asks), yarn (with plies), tubes or strokes")
+        ->check(CLI::IsMember({"auto", "yarn", "tubes", "strokes"}))
+        ->capture_default_str();
     command->add_flag("--no-fuzz", options->noFuzz, "no loose fibres around hairy yarn");
     command->add_flag("--dark", options->dark, "dark background");
     command->add_flag("--transparent", options->transparent, "no background");

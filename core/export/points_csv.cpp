@@ -23,6 +23,9 @@ void writePointsCsv(Output& out, const Shape& shape) {
             if (p % kBetweenReports == 0) {
                 out.advance(static_cast<double>(p) / static_cast<double>(fabric.points.size()));
             }
+            if (!shape.keep.empty() && !shape.keep[p]) {
+                continue;
+            }
             const fabric::BondingPoint& point = fabric.points[p];
             const std::size_t at = 3 * static_cast<std::size_t>(point.entry);
             out.print("{},{},{},{},{},{},{},{},{},{},{:.5f},{:.5f},{:.5f},{:.5f}\n", y + 1, yarn.carrier + 1,

@@ -23,6 +23,26 @@ std::vector<Material> materialsOf(const fabric::Fabric& fabric, std::span<const 
     return materials;
 }
 
+/// Nodes [first, last) as a yarn of its own.
+void addPiece(geometry::YarnCurves& part, const geometry::YarnCurves& whole, std::int32_t first,
+              std::int32_t last, machine::CarrierIndex carrier) {
+    part.yarns.push_back({static_cast<std::int32_t>(part.nodes.size()), last - first, carrier});
+    const auto copy = [&](const auto& from, auto& to) {
+        if (!from.empty()) {
+            to.insert(to.end(), from.begin() + first, from.begin() + last);
+        }
+    };
+    const auto begin = static_cast<std::ptrdiff_t>(part.arc.size());
+    copy(whole.nodes, part.nodes);
+    copy(whole.point, part.point);
+    copy(whole.piece, part.piece);
+    copy(whole.arc, part.arc);
+    copy(whole.normal, part.normal);
+    copy(whole.height, part.height);
+    const float start = whole.arc[static_cast<std::size_t>(first)];
+    std::for_each(part.arc.begin() + begin, part.arc.end(), [start](float& arc) { arc -= start; });
+}
+
 } // namespace
 
 std::optional<Shape> shapeAt(std::shared_ptr<const fabric::Fabric> fabric, std::span<const yarn::Yarn> yarns,
@@ -47,13 +67,43 @@ std::optional<Shape> shapeAt(std::shared_ptr<const fabric::Fabric> fabric, std::
         places = machine;
     }
     builder.update(places);
-    return Shape{std::move(fabric), builder.curves(), std::move(places), std::move(materials)};
+    return Shape{std::move(fabric), builder.curves(), std::move(places), std::move(materials), {}};
 }
 
 Shape shapeOf(std::shared_ptr<const fabric::Fabric> fabric, std::span<const yarn::Yarn> yarns,
               geometry::YarnCurves curves, std::vector<float> places) {
     std::vector<Material> materials = materialsOf(*fabric, yarns);
-    return Shape{std::move(fabric), std::move(curves), std::move(places), std::move(materials)};
+    return Shape{std::move(fabric), std::move(curves), std::move(places), std::move(materials), {}};
+}
+
+Shape partOf(Shape shape, const std::vector<bool>& keep) {
+    if (keep.empty()) {
+        return shape;
+    }
+    geometry::YarnCurves part;
+    for (const geometry::YarnCurves::Range& yarn : shape.curves.yarns) {
+        const std::int32_t end = yarn.first + yarn.count;
+        const auto wanted = [&](std::int32_t node) {
+            const auto point = static_cast<std::size_t>(shape.curves.point[static_cast<std::size_t>(node)]);
+            return point < keep.size() && keep[point];
+        };
+        for (std::int32_t first = yarn.first; first < end;) {
+            std::int32_t last = first;
+            while (last < end && wanted(last)) {
+                ++last;
+            }
+            // The yarn goes on to the next node, which may belong to a point that is not wanted.
+            const std::int32_t to = last > first ? std::min(last + 1, end) : last;
+            if (to > first + 1) {
+                addPiece(part, shape.curves, first, to, yarn.carrier);
+            }
+            first = last + 1;
+        }
+    }
+    shape.curves = std::move(part);
+    shape.keep = keep;
+    shape.keep.resize(shape.fabric->points.size(), false);
+    return shape;
 }
 
 } // namespace knittsim::exports

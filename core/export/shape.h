@@ -26,6 +26,7 @@ struct Shape {
     geometry::YarnCurves curves;
     std::vector<float> places;       ///< of the bonding points: 3 per entry, mm
     std::vector<Material> materials; ///< by carrier, for every carrier of `curves`
+    std::vector<bool> keep{};        ///< by bonding point: those that `curves` shows; empty: all
 };
 
 /// The shape with the bonding points at `places` (empty: where the machine leaves them), with curves whose
@@ -37,5 +38,9 @@ std::optional<Shape> shapeAt(std::shared_ptr<const fabric::Fabric> fabric, std::
 /// The shape with curves that somebody else has made of this fabric, and the places of its bonding points.
 Shape shapeOf(std::shared_ptr<const fabric::Fabric> fabric, std::span<const yarn::Yarn> yarns,
               geometry::YarnCurves curves, std::vector<float> places);
+
+/// The parts of a shape whose bonding points are wanted, each as a yarn of its own. `keep` by bonding point;
+/// empty: all.
+Shape partOf(Shape shape, const std::vector<bool>& keep);
 
 } // namespace knittsim::exports

@@ -73,7 +73,7 @@ bool PassingBook::tryUndo(const Pair& pair) {
         return false;
     }
     const std::optional<Strand> slider = findSlider(last);
-    if (!slider && !m_gapOver.empty()) {
+    if ((!slider && !m_gapOver.empty()) || !isGapClear(last)) {
         return false;
     }
     for (const Strand strand : {last.over, last.under}) {
@@ -81,7 +81,7 @@ bool PassingBook::tryUndo(const Pair& pair) {
         passings.erase(passings.end() - 1 - static_cast<std::ptrdiff_t>(*countAfter(passings, number)));
     }
     if (slider) {
-        slide(*slider, last.other(*slider));
+        slide(last, *slider);
     }
     m_passings[static_cast<std::size_t>(number)].undone = true;
     return true;
@@ -134,11 +134,13 @@ std::optional<Strand> PassingBook::findSlider(const Passing& passing) const {
             return std::nullopt;
         }
     }
-    if (canSlide(passing.over, m_gapOver)) {
-        return passing.over;
-    }
-    if (canSlide(passing.under, m_gapUnder)) {
-        return passing.under;
+    // The elder one first: a rule that does not depend on the side from which one looks.
+    const bool overFirst = passing.over < passing.under;
+    for (const bool over : {overFirst, !overFirst}) {
+        const Strand slider = over ? passing.over : passing.under;
+        if (canSlide(slider, over ? m_gapOver : m_gapUnder)) {
+            return slider;
+        }
     }
     return std::nullopt;
 }
@@ -160,6 +162,47 @@ bool PassingBook::runsThrough(const Passing& passing, Strand strand) const {
     return afterOver && afterUnder && (*afterUnder > *afterOver) == underFirst;
 }
 
+/// On no strand that runs through the gap lies anything else between its passings of the two.
+bool PassingBook::isGapClear(const Passing& passing) {
+    return std::ranges::all_of(m_gapOver, [&](std::int32_t number) {
+        const Strand strand = at(number).other(passing.over);
+        return gather(strand, passing.over, number, findLast(passing.under, strand));
+    });
+}
+
+/// Finds the passings of `strand` from `a` to `b` and an order of them in which nothing lies between the two
+/// but passings of strands that run through the gap, too. False when there is none.
+bool PassingBook::gather(Strand strand, Strand over, std::int32_t a, std::int32_t b) {
+    const List& passings = on(strand);
+    const auto isOneOfTheTwo = [&](std::int32_t n) { return n == a || n == b; };
+    const auto near = passings.end() - static_cast<std::ptrdiff_t>(std::min(passings.size(), kReach + 1));
+    const auto first = std::find_if(near, passings.end(), isOneOfTheTwo);
+    const auto second = std::find_if(first + 1, passings.end(), isOneOfTheTwo);
+    m_gathered.begin = static_cast<std::size_t>(first - passings.begin());
+    m_gathered.before.clear();
+    m_gathered.between.clear();
+    m_gathered.after.clear();
+    const auto canPassAll = [&](std::int32_t n, const List& others) {
+        return std::ranges::all_of(others, [&](std::int32_t o) { return areUnordered(strand, n, o); });
+    };
+    for (auto n = first + 1; n != second; ++n) {
+        const auto runsThere = [&](std::int32_t g) {
+            return *n != kBar && at(g).other(over) == at(*n).other(strand);
+        };
+        if (areUnordered(strand, *first, *n) && canPassAll(*n, m_gathered.between) &&
+            canPassAll(*n, m_gathered.after)) {
+            m_gathered.before.push_back(*n);
+        } else if (areUnordered(strand, *second, *n)) {
+            m_gathered.after.push_back(*n);
+        } else if (std::ranges::any_of(m_gapOver, runsThere) && canPassAll(*n, m_gathered.after)) {
+            m_gathered.between.push_back(*n);
+        } else {
+            return false;
+        }
+    }
+    return true;
+}
+
 bool PassingBook::canSlide(Strand slider, const List& gap) const {
     const bool inFront = at(gap[0]).over == slider;
     return std::ranges::all_of(gap, [&](std::int32_t n) { return (at(n).over == slider) == inFront; });
@@ -170,28 +213,30 @@ bool PassingBook::areUnordered(Strand strand, std::int32_t a, std::int32_t b) co
            findLast(at(a).other(strand), at(b).other(strand)) < 0;
 }
 
-/// Puts `moved` right behind `other` if it came before, right before it if it came behind. Passings without
-/// an order do not lie between the two.
-void PassingBook::swapOrder(Strand strand, std::int32_t moved, std::int32_t other) {
+/// Puts `moved` right behind `fixed` if it came before, right before it if it came behind.
+void PassingBook::swapOrder(Strand strand, Strand over, std::int32_t moved, std::int32_t fixed) {
+    gather(strand, over, moved, fixed);
     List& passings = list(strand);
-    const auto near = passings.end() - static_cast<std::ptrdiff_t>(std::min(passings.size(), kReach + 1));
-    auto first = std::find_if(near, passings.end(), [&](auto n) { return n == moved || n == other; });
-    auto second = std::find_if(first + 1, passings.end(), [&](auto n) { return n == moved || n == other; });
-    for (; first + 1 != second && areUnordered(strand, first[0], first[1]); ++first) {
-        std::iter_swap(first, first + 1);
+    const auto begin = passings.begin() + static_cast<std::ptrdiff_t>(m_gathered.begin);
+    const bool movedFirst = *begin == moved;
+    auto next = std::ranges::copy(m_gathered.before, begin).out;
+    const auto put = [&](std::int32_t number) { *next++ = number; };
+    if (!movedFirst) {
+        put(moved);
+        put(fixed);
     }
-    for (; second - 1 != first && areUnordered(strand, second[0], second[-1]); --second) {
-        std::iter_swap(second, second - 1);
+    next = std::ranges::copy(m_gathered.between, next).out;
+    if (movedFirst) {
+        put(fixed);
+        put(moved);
     }
-    if (*first == moved) {
-        std::rotate(first, first + 1, second + 1);
-    } else {
-        std::rotate(first, second, second + 1);
-    }
+    std::ranges::copy(m_gathered.after, next);
 }
 
-/// The last passings of `slider` are those in the gap. Moves them to the other side of `fixed`.
-void PassingBook::slide(Strand slider, Strand fixed) {
+/// The last passings of `slider` are those in the gap above `passing`. Moves them to the other side of the
+/// other strand.
+void PassingBook::slide(const Passing& passing, Strand slider) {
+    const Strand fixed = passing.other(slider);
     List& onSlider = list(slider);
     auto next = onSlider.end() - static_cast<std::ptrdiff_t>(m_gapOver.size());
     for (const std::int32_t pastFixed : lastOf(on(fixed), m_gapOver.size())) {
@@ -199,7 +244,7 @@ void PassingBook::slide(Strand slider, Strand fixed) {
         const auto found =
             std::find_if(next, onSlider.end(), [&](auto n) { return at(n).other(slider) == strand; });
         std::iter_swap(next, found);
-        swapOrder(strand, *next, pastFixed);
+        swapOrder(strand, passing.over, *next, pastFixed);
         ++next;
     }
 }

@@ -15,7 +15,8 @@ namespace knittsim::fabric {
 ///  - nothing lies on either strand in between: the second Reidemeister move; or
 ///  - just the same strands lie in between on both, each running through the gap between the two, and one of
 ///    the two passes in front of all of them or behind all of them. It is slid across them (third move) to
-///    the other strand, and then the second move applies.
+///    the other strand, and then the second move applies. On a strand that runs through, nothing may lie
+///    between its passings of the two but what can be put aside or runs through, too.
 /// Both moves change the diagram of crossings and not the fabric, whatever the machine did in between.
 ///
 /// What is not recognised: a strand that could slide past a place where a loop is drawn through another one
@@ -74,9 +75,11 @@ private:
     bool collectGap(Strand strand, std::int32_t number, List& gap) const;
     std::optional<Strand> findSlider(const Passing& passing) const;
     bool runsThrough(const Passing& passing, Strand strand) const;
+    bool isGapClear(const Passing& passing);
+    bool gather(Strand strand, Strand over, std::int32_t a, std::int32_t b);
     bool canSlide(Strand slider, const List& gap) const;
-    void slide(Strand slider, Strand fixed);
-    void swapOrder(Strand strand, std::int32_t moved, std::int32_t other);
+    void slide(const Passing& passing, Strand slider);
+    void swapOrder(Strand strand, Strand over, std::int32_t moved, std::int32_t fixed);
 
     const Passing& at(std::int32_t number) const { return m_passings[static_cast<std::size_t>(number)]; }
 
@@ -86,6 +89,14 @@ private:
     std::vector<Pair> m_pending;
     List m_gapOver; ///< passings on either strand in the gap that is to be closed
     List m_gapUnder;
+    /// Passings on a strand about two of them: aside before these, between them, aside behind them.
+    struct Gathered {
+        std::size_t begin = 0; ///< on its strand
+        List before;
+        List between;
+        List after;
+    };
+    Gathered m_gathered;
 };
 
 } // namespace knittsim::fabric

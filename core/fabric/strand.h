@@ -2,6 +2,7 @@
 
 #include "core/fabric/fabric.h"
 
+#include <compare>
 #include <cstdint>
 
 namespace knittsim::fabric {
@@ -12,7 +13,7 @@ struct Strand {
     enum class Kind : std::uint8_t { Loop, Float } kind = Kind::Loop;
     std::int32_t index = 0; ///< LoopIndex, or number of the float
 
-    bool operator==(const Strand&) const = default;
+    auto operator<=>(const Strand&) const = default;
 };
 
 /// Two strands passed each other. `over` lies nearer to the front bed.

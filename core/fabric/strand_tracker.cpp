@@ -110,11 +110,11 @@ void StrandTracker::collectLoops(Bed bed, const Key& low, const Key& high) {
         if (!(low < key && key < high)) {
             continue;
         }
+        if (!machine::isFront(bed) && !row.at(i).empty()) {
+            // Of two loops that face each other the rear one comes first if it came from the left.
+            key.rank = facingSide(i, key.x) < 0 ? -1 : 1;
+        }
         for (const LoopIndex loop : row.at(i)) {
-            if (!machine::isFront(bed)) {
-                // Of two loops that face each other the rear one comes first if it came from the left.
-                key.rank = cameFromLeft(loop, key.x) ? -1 : 1;
-            }
             m_met.push_back({key, {Strand::Kind::Loop, loop}, machine::isFront(bed) ? 1 : -1, 0});
         }
     }
@@ -249,22 +249,25 @@ void StrandTracker::applyRack() {
             last = std::max(last, row.end() - 1);
         }
     }
-    // The needle that leads passes first, so that passings are in the order of time on every strand.
-    for (std::int32_t n = 0; n <= last - first; ++n) {
-        const std::int32_t rear = to > from ? last - n : first + n;
+    const int direction = signOf(to - from);
+    m_rackMeetings.clear();
+    for (std::int32_t rear = first; rear <= last; ++rear) {
         if (holdsLoop(false, rear)) {
-            rackNeedle(rear, from, to);
+            leaveFacing(rear, rear + from, direction);
+            collectRackMeetings(rear, from, to);
+        }
+    }
+    passRackMeetings(direction);
+    for (std::int32_t rear = first; rear <= last; ++rear) {
+        if (holdsLoop(false, rear)) {
+            comeToFace(rear, rear + to, direction);
         }
     }
 }
 
-void StrandTracker::rackNeedle(std::int32_t rear, double from, double to) {
-    const int direction = signOf(to - from);
+void StrandTracker::collectRackMeetings(std::int32_t rear, double from, double to) {
     const double start = rear + from;
     const double end = rear + to;
-    if (isWhole(start) && holdsLoop(true, static_cast<std::int32_t>(start))) {
-        leaveFacing(rear, static_cast<std::int32_t>(start), direction);
-    }
     const Key low{std::min(start, end), 0, 0};
     const Key high{std::max(start, end), 0, 0};
     m_met.clear();
@@ -272,17 +275,25 @@ void StrandTracker::rackNeedle(std::int32_t rear, double from, double to) {
         collectLoops(bed, low, high);
     }
     collectYarns(low, high, {});
-    sortMet(direction);
-    for (std::size_t i = 0; i < m_met.size();) {
+    for (const Met& met : m_met) {
+        m_rackMeetings.push_back({{met.key.x - start, met.key.side, met.key.rank}, rear, met});
+    }
+}
+
+/// In the order of time, which is the same whichever of the two beds is said to move.
+void StrandTracker::passRackMeetings(int direction) {
+    std::ranges::stable_sort(m_rackMeetings, [direction](const RackMeeting& a, const RackMeeting& b) {
+        return a.way == b.way ? a.rear < b.rear : direction > 0 ? a.way < b.way : b.way < a.way;
+    });
+    for (std::size_t i = 0; i < m_rackMeetings.size();) {
         m_pairs.clear();
-        const Key place = m_met[i].key;
-        for (; i < m_met.size() && m_met[i].key == place; ++i) {
-            pairRear(m_met[i].strand, rear, direction, placeOf(place));
+        const RackMeeting first = m_rackMeetings[i];
+        for (; i < m_rackMeetings.size() && m_rackMeetings[i].way == first.way &&
+               m_rackMeetings[i].rear == first.rear;
+             ++i) {
+            pairRear(m_rackMeetings[i].met.strand, first.rear, direction, placeOf(first.met.key));
         }
         passRear();
-    }
-    if (isWhole(end) && holdsLoop(true, static_cast<std::int32_t>(end))) {
-        comeToFace(rear, static_cast<std::int32_t>(end), direction);
     }
 }
 
@@ -295,31 +306,52 @@ void StrandTracker::pairRear(Strand over, std::int32_t rear, int direction, doub
 }
 
 void StrandTracker::passRear() {
-    std::erase_if(m_pairs, [&](const PassingBook::Pair& pair) { return isFree(pair); });
+    settleFree();
     m_book.pass(m_pairs, m_rackOperation, ++m_moment);
 }
 
-void StrandTracker::leaveFacing(std::int32_t rear, std::int32_t front, int direction) {
-    pairFacing(rear, front, direction);
-    std::erase_if(m_pairs, [&](PassingBook::Pair pair) {
-        const int side = cameFrom(pair);
-        if (side == 0) {
-            m_facedFromStart.insert(code(pair));
+/// All of a needle go the same way: if one of them counts, they all do from now on.
+void StrandTracker::settleFree() {
+    if (std::ranges::all_of(m_pairs, [&](const PassingBook::Pair& pair) { return isFree(pair); })) {
+        m_pairs.clear();
+    }
+    for (const PassingBook::Pair& pair : m_pairs) {
+        if (pair.over.kind == Strand::Kind::Loop) {
+            m_facedFromStart.erase(code(pair));
         }
-        m_cameFrom.erase(code(pair));
-        return side != -direction;
-    });
-    passRear();
+    }
 }
 
-void StrandTracker::comeToFace(std::int32_t rear, std::int32_t front, int direction) {
-    pairFacing(rear, front, direction);
-    std::erase_if(m_pairs, [&](PassingBook::Pair pair) { return isFree(pair); });
+void StrandTracker::leaveFacing(std::int32_t rear, double place, int direction) {
+    const int side = facingSide(rear, place);
+    pairFacing(rear, place, direction);
     for (const PassingBook::Pair& pair : m_pairs) {
-        m_cameFrom[code(pair)] = direction; // unless they have not passed before
+        m_cameFrom.erase(code(pair));
     }
-    for (const PassingBook::Pair& pair : m_book.undo(m_pairs)) {
-        m_cameFrom[code(pair)] = -direction;
+    if (side == 0) {
+        for (const PassingBook::Pair& pair : m_pairs) {
+            m_facedFromStart.insert(code(pair));
+        }
+    } else if (side == -direction) {
+        passRear();
+    }
+}
+
+void StrandTracker::comeToFace(std::int32_t rear, double place, int direction) {
+    pairFacing(rear, place, direction);
+    settleFree();
+    if (m_pairs.empty()) {
+        return;
+    }
+    // Some may have passed before and thereby have not. All of a needle come to stand on the side of the
+    // loops nearest to the beds.
+    const std::span<const PassingBook::Pair> all = m_pairs;
+    const bool hadPassed = m_book.undo(all.first(1)).empty();
+    if (hadPassed) {
+        m_book.pass(all.subspan(1), m_rackOperation, ++m_moment);
+    }
+    for (const PassingBook::Pair& pair : m_pairs) {
+        m_cameFrom[code(pair)] = hadPassed ? direction : -direction;
     }
 }
 
@@ -328,17 +360,19 @@ bool StrandTracker::isFree(PassingBook::Pair pair) const {
            !m_book.havePassed(pair.over, pair.under);
 }
 
-bool StrandTracker::cameFromLeft(LoopIndex rear, double place) const {
-    int side = 0;
-    if (!m_cameFrom.empty() && isWhole(place)) {
-        for (const Bed bed : kFrontBeds) {
-            for (const LoopIndex front :
-                 m_emulator.state().loopsOn({bed, static_cast<std::int32_t>(place)})) {
-                side += cameFrom({{Strand::Kind::Loop, front}, {Strand::Kind::Loop, rear}});
-            }
+/// Side from which the loops of a rear needle at `place` came to face those of the front needle there: -1
+/// left, +1 right, 0 when they face each other from the beginning.
+int StrandTracker::facingSide(std::int32_t rear, double place) {
+    if (m_cameFrom.empty()) {
+        return 0;
+    }
+    pairFacing(rear, place, 1);
+    for (const PassingBook::Pair& pair : m_pairs) {
+        if (const int side = cameFrom(pair); side != 0) {
+            return side;
         }
     }
-    return side < 0;
+    return 0;
 }
 
 int StrandTracker::cameFrom(PassingBook::Pair pair) const {
@@ -358,14 +392,7 @@ void StrandTracker::inheritFacing(LoopIndex loop) {
         for (const LoopIndex other : m_emulator.state().loopsOn({bed, static_cast<std::int32_t>(facing)})) {
             int side = 0;
             for (const LoopIndex parent : m_emulator.loops().parentsOf(loop)) {
-                const PassingBook::Pair pair = facingPair(made, parent, other);
-                const int own = cameFrom(pair);
-                side = side == 0 ? own : side;
-                if (own == -side && own != 0) {
-                    // Where the parents differ, the others pass so that they all agree.
-                    m_pairs = {{pair.over, pair.under, -side}};
-                    m_book.pass(m_pairs, operation(), ++m_moment);
-                }
+                side = side == 0 ? cameFrom(facingPair(made, parent, other)) : side;
             }
             if (side != 0) {
                 m_cameFrom[code(facingPair(made, loop, other))] = side;
@@ -380,12 +407,15 @@ PassingBook::Pair StrandTracker::facingPair(const machine::Loop& made, LoopIndex
     return machine::isFront(made.needle.bed) ? PassingBook::Pair{a, b} : PassingBook::Pair{b, a};
 }
 
-/// All pairs of loops of two needles that face each other.
-void StrandTracker::pairFacing(std::int32_t rear, std::int32_t front, int direction) {
+/// All pairs of loops of a rear needle at `place` and the front needle there.
+void StrandTracker::pairFacing(std::int32_t rear, double place, int direction) {
     m_pairs.clear();
+    if (!isWhole(place)) {
+        return;
+    }
     for (const Bed bed : kFrontBeds) {
-        for (const LoopIndex over : m_emulator.state().loopsOn({bed, front})) {
-            pairRear({Strand::Kind::Loop, over}, rear, direction, front);
+        for (const LoopIndex over : m_emulator.state().loopsOn({bed, static_cast<std::int32_t>(place)})) {
+            pairRear({Strand::Kind::Loop, over}, rear, direction, place);
         }
     }
 }

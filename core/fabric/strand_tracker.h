@@ -22,11 +22,15 @@ namespace knittsim::fabric {
 ///
 /// Racks that follow each other without anything between them are one rack.
 ///
+/// Strands that meet while the bed racks pass in the order of time, so that nothing depends on which bed
+/// moves or from which side one looks.
+///
 /// Loops that face each other (same place, both beds) have not passed yet. At rack 0.25 the rear loop stands
 /// to the right of the front loop with its number, and between racks 0 and 0.25 nothing passes. A rear loop
 /// that comes to face a front loop has passed it when it goes on, not when it goes back. Loops that faced
 /// each other from the beginning have no order, and none of their ways past each other counts: whichever way
-/// they end up is how they stood from the beginning.
+/// they end up is how they stood from the beginning. All loops of a needle go the same way: where some of
+/// them have an order with those that they face, the others take it over.
 class StrandTracker : public machine::EmulationListener {
 public:
     /// `emulator` is the one that will be stepped; it must outlive the tracker.
@@ -80,6 +84,12 @@ private:
         int layer; ///< +1 front bed, 0 between the beds, -1 rear bed
         CarrierIndex carrier;
     };
+    /// What a rear needle meets while the bed racks, `way` from where it started.
+    struct RackMeeting {
+        Key way;
+        std::int32_t rear;
+        Met met;
+    };
     /// A carrier on its way to its next place.
     struct Way {
         CarrierIndex carrier;
@@ -93,18 +103,20 @@ private:
     void pairYarns(std::span<const Way> together, const Met& met, int direction);
     bool isInFront(CarrierIndex carrier, const Met& met) const;
     void applyRack();
-    void rackNeedle(std::int32_t rear, double from, double to);
+    void collectRackMeetings(std::int32_t rear, double from, double to);
+    void passRackMeetings(int direction);
     void pairRear(Strand over, std::int32_t rear, int direction, double place);
     void passRear();
+    void settleFree();
     bool isFree(PassingBook::Pair pair) const;
-    void leaveFacing(std::int32_t rear, std::int32_t front, int direction);
-    void comeToFace(std::int32_t rear, std::int32_t front, int direction);
-    void pairFacing(std::int32_t rear, std::int32_t front, int direction);
+    void leaveFacing(std::int32_t rear, double place, int direction);
+    void comeToFace(std::int32_t rear, double place, int direction);
+    void pairFacing(std::int32_t rear, double place, int direction);
     double placeOf(const Key& key) const;
     bool isCrowded(Needle needle, double rack) const;
     bool holdsLoop(bool front, std::int32_t index) const;
     void inheritFacing(LoopIndex loop);
-    bool cameFromLeft(LoopIndex rear, double place) const;
+    int facingSide(std::int32_t rear, double place);
     int cameFrom(PassingBook::Pair pair) const;
     PassingBook::Pair facingPair(const machine::Loop& made, LoopIndex own, LoopIndex other) const;
     std::int32_t openFloat();
@@ -122,6 +134,7 @@ private:
     std::unordered_set<std::uint64_t> m_facedFromStart; ///< pairs of loops that parted later
     std::vector<Way> m_ways;                            ///< of the carriers of the present operation
     std::vector<Met> m_met;
+    std::vector<RackMeeting> m_rackMeetings;
     std::vector<PassingBook::Pair> m_pairs;
     std::int64_t m_rank = 0;
     std::int32_t m_moment = 0;

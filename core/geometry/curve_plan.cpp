@@ -13,7 +13,6 @@ constexpr float kWidestClasp = 0.30F;  ///< in chords
 constexpr float kHighestClasp = 0.20F; ///< in rises
 constexpr float kFitRate = 0.4F;       ///< smaller is slower and safer
 constexpr float kLeastSquare = 1e-6F;  ///< mm^2
-constexpr float kTightest = 0.85F;     ///< a turn that is drawn in more would miss the legs beside it
 constexpr float kLongestReach = 0.33F; ///< of the way
 
 std::size_t at(fabric::EntryIndex entry) {
@@ -110,12 +109,21 @@ void CurvePlan::fitArcs(const FrameField& frames, std::span<const double> length
         }
     }
     for (Reach& reach : m_reaches) {
-        if (reach.turnMm > 0) {
+        if (reach.storedMm > 0) {
             const auto point =
                 static_cast<std::size_t>(m_pointOfControl[static_cast<std::size_t>(reach.control)]);
-            const float ratio = reach.turnMm / static_cast<float>(lengthMm[point]);
-            reach.tightness = std::clamp(reach.tightness * ratio, kTightest, 1.0F);
+            const float ratio = reach.storedMm / static_cast<float>(lengthMm[point]);
+            reach.tightness = std::clamp(reach.tightness * ratio, reach.tightest, 1.0F);
         }
+    }
+}
+
+void CurvePlan::drawIn() {
+    for (Arc& arc : m_arcs) {
+        arc.gain = 0;
+    }
+    for (Reach& reach : m_reaches) {
+        reach.tightness = reach.storedMm > 0 ? reach.tightest : reach.tightness;
     }
 }
 

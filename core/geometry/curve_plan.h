@@ -45,6 +45,9 @@ public:
     /// length. `lengthMm` by bonding point: of the curve from there to the next one at the shape of `frames`.
     void fitArcs(const FrameField& frames, std::span<const double> lengthMm);
 
+    /// Makes all arcs stand out and all turns and floats hang as little as they may.
+    void drawIn();
+
     /// Writes all control points, the two beyond the ends of each yarn included.
     void place(const FrameField& frames, std::vector<ControlValue>& controls) const;
 
@@ -99,8 +102,9 @@ private:
         float dipMm = 0;
         float across = 0;
         float out = 0;
-        float turnMm = 0;    ///< yarn of the turn that it belongs to, 0 for none
-        float tightness = 1; ///< factor on dip and across, as fitted to that
+        float storedMm = 0;  ///< yarn that it is fitted to, 0 for none
+        float tightest = 0;  ///< least tightness
+        float tightness = 1; ///< factor on dip and across, as fitted
     };
 
     std::vector<YarnRange> m_yarns;

@@ -28,6 +28,7 @@ constexpr float kTurnOut = 0.9F;
 constexpr float kTurnDown = 0.8F;
 constexpr float kTurnBackOut = 1.15F; ///< round the leg that the yarn is drawn through next
 constexpr float kTurnBackDown = 0.8F;
+constexpr float kTightestTurn = 0.85F; ///< drawn in more it would miss the legs beside it
 constexpr float kKinkDown = 0.2F;
 constexpr float kWaitOut = 0.15F; ///< for every course more
 constexpr float kWaitMost = 1.2F;
@@ -366,9 +367,14 @@ void CurvePlanner::addSinker(const Station& a, const Station& b) {
 void CurvePlanner::addTurn(const Station& a, const Station& b) {
     const float wait = waitOut(a, b);
     addTurnControl(a, a, kTurnOut + wait, kTurnDown);
-    m_plan.m_reaches.back().turnMm = stored(a);
+    fitTurn(a);
     addTurnControl(b, a, kTurnBackOut + wait, kTurnBackDown);
-    m_plan.m_reaches.back().turnMm = stored(a);
+    fitTurn(a);
+}
+
+void CurvePlanner::fitTurn(const Station& owner) {
+    m_plan.m_reaches.back().storedMm = stored(owner);
+    m_plan.m_reaches.back().tightest = kTightestTurn;
 }
 
 /// A yarn that waits for some courses runs outside of those that turn meanwhile, diameters.

@@ -70,6 +70,7 @@ private:
     void addLeg(const Station& a, const Station& b);
     void addSinker(const Station& a, const Station& b);
     void addTurn(const Station& a, const Station& b);
+    void fitTurn(const Station& owner);
     float waitOut(const Station& a, const Station& b) const;
     void addTurnControl(const Station& near, const Station& owner, float across, float down);
     void addFloat(const Station& a, const Station& b);

@@ -13,22 +13,47 @@ namespace {
 constexpr double kNeighbours = 3; ///< diameters along a yarn
 constexpr float kAsStored = 0.01F;
 
-void compareLengths(const fabric::Fabric& fabric, const YarnCurves& curves, CurveReport& report) {
+/// By piece of yarn: mm of the projection of its shortest way.
+std::vector<float> shortestWays(const fabric::Fabric& fabric, std::span<const double> diameterMm) {
+    YarnCurveBuilder builder(fabric, diameterMm);
+    builder.drawIn();
+    const YarnCurves& curves = builder.update(fabric::machinePlaces(fabric));
+    std::vector<float> ways;
+    for (const YarnPiece& piece : yarnPieces(fabric, curves)) {
+        float way = 0;
+        for (auto n = static_cast<std::size_t>(piece.firstNode); n < static_cast<std::size_t>(piece.lastNode);
+             ++n) {
+            way += (curves.nodes[n + 1] - curves.nodes[n]).head<2>().norm();
+        }
+        ways.push_back(way);
+    }
+    return ways;
+}
+
+void compareLengths(const fabric::Fabric& fabric, const YarnCurves& curves,
+                    std::span<const double> diameterMm, CurveReport& report) {
     const auto place = [&](fabric::PointIndex p) -> const Vec3& {
         const fabric::EntryIndex entry = fabric.points[static_cast<std::size_t>(p)].entry;
         return fabric.machinePositions[static_cast<std::size_t>(entry)];
     };
-    for (const YarnPiece& piece : yarnPieces(fabric, curves)) {
-        const auto first = static_cast<std::size_t>(piece.firstNode);
-        const auto last = static_cast<std::size_t>(piece.lastNode);
-        double shortest = 0;
+    const std::vector<float> shortestWay = shortestWays(fabric, diameterMm);
+    const std::vector<YarnPiece> pieces = yarnPieces(fabric, curves);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const auto first = static_cast<std::size_t>(pieces[i].firstNode);
+        const auto last = static_cast<std::size_t>(pieces[i].lastNode);
+        const float stored = pieces[i].storedMm;
+        double chord = 0;
         for (fabric::PointIndex p = curves.point[first]; p < curves.point[last]; ++p) {
-            shortest += (place(p + 1) - place(p)).norm();
+            chord += (place(p + 1) - place(p)).norm();
         }
-        if (shortest < static_cast<double>(piece.storedMm)) {
+        if (chord >= static_cast<double>(stored)) {
+            ++report.piecesTooFar;
+        } else {
             ++report.pieces;
-            const float off = std::abs(curves.arc[last] - curves.arc[first] - piece.storedMm);
-            report.piecesAsStored += off <= kAsStored * piece.storedMm ? 1 : 0;
+            const float off = std::abs(curves.arc[last] - curves.arc[first] - stored);
+            const bool asStored = off <= kAsStored * stored;
+            report.piecesAsStored += asStored ? 1 : 0;
+            report.piecesOutOfReach += !asStored && shortestWay[i] > stored ? 1 : 0;
         }
     }
 }
@@ -46,7 +71,7 @@ CurveReport inspectCurves(const fabric::Fabric& fabric, const YarnCurves& curves
     report.certificate = certifyTopology(fabric, curves);
     const double diameter = diameterMm.empty() ? 1 : *std::ranges::max_element(diameterMm);
     report.nearest = smallestDistance(curves, diameter, kNeighbours * diameter);
-    compareLengths(fabric, curves, report);
+    compareLengths(fabric, curves, diameterMm, report);
     return report;
 }
 

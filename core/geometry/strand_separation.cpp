@@ -15,7 +15,8 @@ constexpr int kMostRounds = 24;
 constexpr int kIdleRounds = 3; ///< without fewer wrong crossings than ever before
 constexpr int kDepthRounds = 12;
 constexpr int kLengthRounds = 2;    ///< of these
-constexpr float kLeastGap = 0.3F;   ///< diameters between centrelines
+constexpr float kWantedGap = 0.3F;  ///< diameters between centrelines
+constexpr float kLeastGap = 0.5F;   ///< of that, where the yarn is to be as long as stored
 constexpr float kEnough = 0.9F;     ///< of that
 constexpr float kAsStored = 0.005F; ///< of a length, half of what is asked for
 
@@ -24,7 +25,7 @@ constexpr float kAsStored = 0.005F; ///< of a length, half of what is asked for
 int YarnCurveBuilder::makeExact(const fabric::Fabric& fabric, std::span<const float> positions) {
     for (int round = 0; round < kFitRounds; ++round) {
         update(positions);
-        m_plan.fitArcs(m_frames, spanLengths(m_curves));
+        m_plan.fitArcs(m_frames, pieceLengths(fabric));
     }
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
     update(positions);
@@ -40,6 +41,22 @@ int YarnCurveBuilder::makeExact(const fabric::Fabric& fabric, std::span<const fl
         audited = audit(fabric);
     }
     return fitDepth(fabric, std::move(audited));
+}
+
+/// By bonding point: mm of the curve from there to the next one, each as much too long or too short as the
+/// whole piece of yarn between feet and heads is: where its crossings lie along it does not matter.
+std::vector<double> YarnCurveBuilder::pieceLengths(const fabric::Fabric& fabric) const {
+    std::vector<double> lengths = spanLengths(m_curves);
+    for (const YarnPiece& piece : yarnPieces(fabric, m_curves)) {
+        const auto first = static_cast<std::size_t>(piece.firstNode);
+        const auto last = static_cast<std::size_t>(piece.lastNode);
+        const double ratio = static_cast<double>((m_curves.arc[last] - m_curves.arc[first]) / piece.storedMm);
+        for (auto p = static_cast<std::size_t>(m_curves.point[first]);
+             piece.storedMm > 0 && p < static_cast<std::size_t>(m_curves.point[last]); ++p) {
+            lengths[p] = ratio * fabric.lengths[p];
+        }
+    }
+    return lengths;
 }
 
 /// Only in depth, so that what is in order stays. Strands that lie exactly behind each other may cross
@@ -74,8 +91,8 @@ YarnCurveBuilder::Audited YarnCurveBuilder::audit(const fabric::Fabric& fabric) 
 }
 
 /// Between the centrelines of two strands that cross, mm.
-float YarnCurveBuilder::leastGap(const ProjectedCrossing& crossing) const {
-    return kLeastGap * 0.5F * (diameterAt(crossing.over) + diameterAt(crossing.under));
+float YarnCurveBuilder::wantedGap(const ProjectedCrossing& crossing) const {
+    return kWantedGap * 0.5F * (diameterAt(crossing.over) + diameterAt(crossing.under));
 }
 
 /// Moves the strands of every crossing that is not as it should be half the missing distance each. Where
@@ -102,7 +119,7 @@ std::size_t YarnCurveBuilder::raise(const Audited& audited) {
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         const ProjectedCrossing& c = crossings[i];
-        const float least = leastGap(c);
+        const float least = wantedGap(c);
         const float missing = least - static_cast<float>(order[i]) * c.gapMm;
         if (order[i] == 0 || missing <= 0) {
             continue;
@@ -134,7 +151,7 @@ YarnCurveBuilder::Orders YarnCurveBuilder::ordersOf(const Audited& audited) cons
     wanted.orders.reserve(crossings.size());
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         const ProjectedCrossing& c = crossings[i];
-        const float least = leastGap(c);
+        const float least = kLeastGap * wantedGap(c);
         if (order[i] < 0) {
             wanted.orders.push_back({c.under, c.over, c.underShare, c.overShare, least});
             ++wanted.wrong;

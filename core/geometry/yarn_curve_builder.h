@@ -22,10 +22,13 @@ public:
 
     /// Curves at `positions`, a shape that lies flat, such as the machine's, made exact: the yarn between
     /// feet and heads is as long as stored within 1 % where it has room; at every crossing of the projection
-    /// the strand that the fabric's books name lies in front by at least a third of a diameter. Holds until
+    /// the strand that the fabric's books name lies in front by at least an eighth of a diameter. Holds until
     /// the next update(). Returns the rounds that it took, -1 when some crossings stay wrong (see
     /// auditCrossings). Some tenths of a second for 10,000 loops.
     int makeExact(const fabric::Fabric& fabric, std::span<const float> positions);
+
+    /// Draws the yarn in to the shortest way in the plane that this builder knows; later updates keep that.
+    void drawIn() { m_plan.drawIn(); }
 
     /// Raises and lowers strands at crossings whose order is wrong at `positions`, a shape that lies flat;
     /// later updates keep that. Returns how many were wrong before.
@@ -45,9 +48,10 @@ private:
         std::vector<std::int8_t> order;
     };
     Audited audit(const fabric::Fabric& fabric) const;
+    std::vector<double> pieceLengths(const fabric::Fabric& fabric) const;
     int fitDepth(const fabric::Fabric& fabric, Audited audited);
     std::size_t raise(const Audited& audited);
-    float leastGap(const ProjectedCrossing& crossing) const;
+    float wantedGap(const ProjectedCrossing& crossing) const;
     std::size_t controlAt(std::int32_t node) const;
     Orders ordersOf(const Audited& audited) const;
     std::vector<DepthFit::Spline> splines() const;

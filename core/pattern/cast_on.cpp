@@ -1,5 +1,7 @@
 #include "core/pattern/cast_on.h"
 
+#include "core/pattern/backing.h"
+
 #include <algorithm>
 
 namespace knittsim::pattern {
@@ -11,20 +13,25 @@ using machine::OperationKind;
 namespace {
 
 bool needs(Bed bed, Stitch stitch) {
-    if (bed == Bed::Rear) {
-        return stitch == Stitch::Purl || stitch == Stitch::Both;
-    }
-    return stitch != Stitch::Purl && stitch != Stitch::Empty;
+    return workOn(bed, stitch, Bed::Front) || (stitch == Stitch::Rest && bed == Bed::Front);
 }
 
 /// Needles of one bed that the first course works; of a tube, the first round.
 std::vector<Needle> needlesOf(const Chart& chart, Bed bed) {
     const int courses = chart.beds == BedUse::Double ? std::min(2, chart.height()) : 1;
+    std::vector<int> backs;
+    for (int course = 0; course < courses; ++course) {
+        for (const int yarn : yarnsOf(chart, course)) {
+            std::ranges::copy(backingOf(chart, course, yarn), std::back_inserter(backs));
+        }
+    }
+    std::ranges::sort(backs);
     std::vector<Needle> needles;
     for (int wale = 0; wale < chart.width; ++wale) {
         bool needed = false;
         for (int course = 0; course < courses; ++course) {
-            needed = needed || needs(bed, chart.at(wale, course).stitch);
+            needed = needed || needs(bed, chart.at(wale, course).stitch) ||
+                     (bed == Bed::Rear && std::ranges::binary_search(backs, wale));
         }
         if (needed) {
             needles.push_back({bed, wale});

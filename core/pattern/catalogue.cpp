@@ -1,5 +1,7 @@
 #include "core/pattern/catalogue.h"
 
+#include "core/pattern/chart_edit.h"
+
 #include <algorithm>
 #include <initializer_list>
 #include <string_view>
@@ -45,6 +47,30 @@ Chart moved(Chart part, int course, const std::vector<LoopMove>& moves) {
 /// Two groups of loops change places, and courses until they may again.
 Chart cable(int left, int right, Front front) {
     return moved(Chart(left + right, std::max(4, left + right)), 1, cross(0, left, right, front));
+}
+
+/// Wide ones have a wale of ground on both sides: beside each other they would need more yarn than loops
+/// have.
+Chart wideCable(int strand, Front front) {
+    return moved(Chart(2 * strand + 2, 2 * strand + 2), 2, cross(1, strand, strand, front));
+}
+
+/// Loop by loop is drawn over its neighbour and knitted with it.
+Chart bindOff(int wales) {
+    Chart part(wales, wales - 1, Stitch::Rest);
+    for (int c = 0; c < part.height(); ++c) {
+        for (int w = 0; w <= c; ++w) {
+            part.at(w, c).stitch = Stitch::Empty;
+        }
+        part.at(c + 1, c).stitch = Stitch::Knit;
+        part.course(c).moves = {{c, c + 1}};
+    }
+    return part;
+}
+
+Chart mirrored(Chart part) {
+    mirror(part, {0, 0, part.width, part.height()}, Mirror::LeftRight);
+    return part;
 }
 
 /// Three strands, the left and the right pair in turn.
@@ -112,6 +138,8 @@ std::vector<Module> makeCatalogue() {
                        cable(left, right, Front::Left)});
     }
     std::vector<Module> rest{
+        {"cable-3x3-left", "Cable 3x3, left", Cable, wideCable(3, Front::Right)},
+        {"cable-3x3-right", "Cable 3x3, right", Cable, wideCable(3, Front::Left)},
         {"braid-2", "Braid of three strands", Cable, braid(2)},
         {"cable-in", "Double cable, inwards", Cable, doubleCable(2, true)},
         {"cable-out", "Double cable, outwards", Cable, doubleCable(2, false)},
@@ -132,6 +160,10 @@ std::vector<Module> makeCatalogue() {
         {"slip-float", "Slip, floats of three", TuckAndSlip, drawn({"kkkk", "mmmk", "kkkk", "kmmm"})},
         {"narrow-left", "Narrowing at the left edge", Shaping, moved(drawn({".kkk"}), 0, {{0, 1}}), false},
         {"narrow-right", "Narrowing at the right edge", Shaping, moved(drawn({"kkk."}), 0, {{3, 2}}), false},
+        {"cast-on-second", "Cast-on, every second needle", Shaping, drawn({"mt", "tm"})},
+        {"cast-on-fourth", "Cast-on, every fourth needle", Shaping, drawn({"mmmt", "mmtm", "mtmm", "tmmm"})},
+        {"bind-off-right", "Bind off at the left edge", Shaping, bindOff(6), false},
+        {"bind-off-left", "Bind off at the right edge", Shaping, mirrored(bindOff(6)), false},
     };
     std::ranges::move(rest, std::back_inserter(all));
     return all;

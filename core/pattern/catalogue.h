@@ -20,8 +20,8 @@ struct Module {
 };
 
 /// The stitches that charts for one loop a wale can have, in the order of their groups. Each compiles when it
-/// is tiled over a chart (Shaping: when stamped at its upper edge). Loops move by two needles at most: for
-/// more a normal stitch has not yarn enough.
+/// is tiled over a chart (those that do not tile: when stamped at its upper edge). Loops move by three
+/// needles at most: for more a normal stitch has not yarn enough.
 const std::vector<Module>& catalogue();
 
 /// Null for an unknown id.

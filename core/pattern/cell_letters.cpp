@@ -15,9 +15,12 @@ struct Letter {
     Stitch stitch;
     char letter;
 };
-constexpr std::array kLetters{Letter{Stitch::Knit, 'k'}, Letter{Stitch::Purl, 'p'}, Letter{Stitch::Both, 'b'},
-                              Letter{Stitch::Tuck, 't'}, Letter{Stitch::Miss, 'm'}, Letter{Stitch::Rest, 'r'},
-                              Letter{Stitch::Empty, '.'}};
+constexpr std::array kLetters{
+    Letter{Stitch::Knit, 'k'},     Letter{Stitch::Purl, 'p'},     Letter{Stitch::Both, 'b'},
+    Letter{Stitch::Tuck, 't'},     Letter{Stitch::Miss, 'm'},     Letter{Stitch::Rest, 'r'},
+    Letter{Stitch::Empty, '.'},    Letter{Stitch::KnitTuck, 'f'}, Letter{Stitch::TuckKnit, 'g'},
+    Letter{Stitch::TuckBoth, 'u'}, Letter{Stitch::RearTuck, 'q'}, Letter{Stitch::RearMiss, 'n'},
+    Letter{Stitch::Drop, 'd'}};
 
 char letterOf(Stitch stitch) {
     return std::ranges::find(kLetters, stitch, &Letter::stitch)->letter;
@@ -71,7 +74,7 @@ bool readCells(JsonReader& reader, std::span<Cell> cells) {
         if (letter == kLetters.end() || yarn == kMaxChartYarns) {
             reader.report(letter == kLetters.end() ? "stitches" : "yarns",
                           fmt::format("another letter at wale {}", at),
-                          letter == kLetters.end() ? "k, p, b, t, m, r or ." : "0 to 9 or a to z");
+                          letter == kLetters.end() ? "one of kpbtmrfguqnd." : "0 to 9 or a to z");
             return false;
         }
         cells[at] = {letter->stitch, static_cast<std::uint8_t>(yarn)};

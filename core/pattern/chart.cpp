@@ -32,9 +32,9 @@ void checkCells(const Chart& chart, int course, Diagnostics& problems) {
                 {std::to_string(wale), std::to_string(cell.yarn), std::to_string(chart.yarns.size())}));
             return;
         }
-        if (cell.stitch == Stitch::Both && chart.beds == BedUse::Single &&
+        if (needsTwoBeds(cell.stitch) && chart.beds == BedUse::Single &&
             !isAsInProgram(chart, wale, course)) {
-            problems.push_back(problem("KS0504", course, {"a stitch on both beds", "two beds"}));
+            problems.push_back(problem("KS0504", course, {"a stitch that names both beds", "two beds"}));
             return;
         }
     }
@@ -74,6 +74,9 @@ Diagnostics check(const Chart& chart) {
         checkMoves(chart, course, problems);
         if (chart.course(course).rack != 0 && chart.beds == BedUse::Single) {
             problems.push_back(problem("KS0504", course, {"racking", "two beds"}));
+        }
+        if (isBacked(chart.course(course).colours) && chart.beds == BedUse::Single) {
+            problems.push_back(problem("KS0504", course, {"a back of the colours", "two beds"}));
         }
     }
     return problems;

@@ -11,19 +11,37 @@
 
 namespace knittsim::pattern {
 
-/// What the needle of one cell does.
+/// What the needles of one cell do.
 enum class Stitch : std::uint8_t {
-    Knit,  ///< stitch on the front bed
-    Purl,  ///< stitch on the rear bed
-    Both,  ///< stitch on both needles of the wale (BedUse::Double only)
-    Tuck,  ///< yarn laid into the hook, on the bed that holds the loop
-    Miss,  ///< the yarn passes, the loop is held
-    Rest,  ///< the loop is held and the yarn does not come here (short rows)
-    Empty, ///< no fabric here
+    Knit,     ///< stitch on the front bed
+    Purl,     ///< stitch on the rear bed
+    Both,     ///< stitch on both needles of the wale (BedUse::Double only, as all that names two beds)
+    Tuck,     ///< yarn laid into the hook: on the bed that holds the loop, with two beds on the front bed
+    Miss,     ///< the yarn passes, the loop is held; on the bed of Tuck
+    Rest,     ///< the loop is held and the yarn does not come here (short rows)
+    Empty,    ///< no fabric here
+    KnitTuck, ///< stitch on the front bed, tuck on the rear bed
+    TuckKnit, ///< tuck on the front bed, stitch on the rear bed
+    TuckBoth, ///< tuck on both beds
+    RearTuck, ///< tuck on the rear bed
+    RearMiss, ///< the yarn passes the needle of the rear bed
+    Drop,     ///< the loops of the wale fall off before the course; no yarn comes here
 };
+constexpr int kStitches = 13;
 
 constexpr bool isWorked(Stitch stitch) {
-    return stitch != Stitch::Rest && stitch != Stitch::Empty;
+    return stitch != Stitch::Rest && stitch != Stitch::Empty && stitch != Stitch::Drop;
+}
+
+/// Both needles of the wale take yarn.
+constexpr bool isOnBothBeds(Stitch stitch) {
+    return stitch == Stitch::Both || stitch == Stitch::KnitTuck || stitch == Stitch::TuckKnit ||
+           stitch == Stitch::TuckBoth;
+}
+
+/// Only a chart with BedUse::Double has it.
+constexpr bool needsTwoBeds(Stitch stitch) {
+    return isOnBothBeds(stitch) || stitch == Stitch::RearTuck || stitch == Stitch::RearMiss;
 }
 
 struct Cell {
@@ -43,9 +61,17 @@ struct LoopMove {
 };
 
 enum class ColourMethod : std::uint8_t {
-    Float,    ///< every yarn passes over the whole course and floats where another one knits
-    Intarsia, ///< every yarn stays in its zone and tucks on the first wale of the next zone
+    Float,      ///< every yarn passes over the whole course and floats where another one knits
+    Intarsia,   ///< every yarn stays in its zone and tucks on the first wale of the next zone
+    Birdseye,   ///< as Float, and every yarn knits every second needle of the rear bed (backing.h)
+    LadderBack, ///< as Float, and every fourth needle of the rear bed knits a yarn that is not shown there
 };
+constexpr int kColourMethods = 4;
+
+/// The rear bed knits a back; BedUse::Double only.
+constexpr bool isBacked(ColourMethod method) {
+    return method == ColourMethod::Birdseye || method == ColourMethod::LadderBack;
+}
 
 struct ProgramCourse;
 
@@ -54,7 +80,7 @@ struct Course {
     /// front.
     std::vector<LoopMove> moves;
     ColourMethod colours = ColourMethod::Float;
-    int rack = 0;                       ///< pitches; BedUse::Double only. A quarter is added for Stitch::Both
+    int rack = 0; ///< pitches; BedUse::Double only. A quarter is added where both needles of a wale work
     std::optional<double> stitchNumber; ///< from this course on; nothing: as before
     /// How a program from outside knits this course, where a chart cannot say it (program_course.h); else
     /// null.

@@ -13,6 +13,23 @@ bool isIn(const Chart& chart, CellPlace p) {
     return p.wale >= 0 && p.wale < chart.width && p.course >= 0 && p.course < chart.height();
 }
 
+/// What the front shows of a stitch.
+Stitch onOneBed(Stitch stitch) {
+    switch (stitch) {
+    case Stitch::Both:
+    case Stitch::KnitTuck:
+        return Stitch::Knit;
+    case Stitch::TuckKnit:
+    case Stitch::TuckBoth:
+    case Stitch::RearTuck:
+        return Stitch::Tuck;
+    case Stitch::RearMiss:
+        return Stitch::Miss;
+    default:
+        return stitch;
+    }
+}
+
 /// Of a course, the moves that have nothing to do with these wales.
 void dropMoves(Course& course, int first, int end) {
     const auto touches = [&](int wale) { return wale >= first && wale < end; };
@@ -153,7 +170,7 @@ void paste(Chart& chart, CellPlace at, const Chart& part, PasteWhat what) {
         for (int w = range.wale; w < range.wale + range.width; ++w) {
             const Cell& from = part.at(w - at.wale, c - at.course);
             Cell& cell = chart.at(w, c);
-            cell.stitch = from.stitch == Stitch::Both && single ? Stitch::Knit : from.stitch;
+            cell.stitch = single ? onOneBed(from.stitch) : from.stitch;
             if (what == PasteWhat::Everything) {
                 cell.yarn = from.yarn < chart.yarns.size() ? from.yarn : std::uint8_t{0};
             }
@@ -313,6 +330,69 @@ void removeWales(Chart& chart, int wale, int count) {
     }
     chart.cells = std::move(cells);
     chart.width -= count;
+}
+
+bool bindOff(Chart& chart) {
+    std::vector<int> held; // wales, from the right
+    std::uint8_t yarn = 0;
+    for (int w = chart.width - 1; w >= 0 && chart.height() > 0; --w) {
+        const Cell cell = chart.at(w, chart.height() - 1);
+        if (cell.stitch != Stitch::Empty && cell.stitch != Stitch::Drop) {
+            held.push_back(w);
+            yarn = isWorked(cell.stitch) ? cell.yarn : yarn;
+        }
+    }
+    if (chart.beds == BedUse::Double || held.size() < 2 ||
+        chart.height() + static_cast<int>(held.size()) > kMaxCourses) {
+        return false;
+    }
+    for (std::size_t i = 0; i + 1 < held.size(); ++i) {
+        const int course = chart.height();
+        chart.cells.resize(chart.cells.size() + static_cast<std::size_t>(chart.width), {Stitch::Empty, 0});
+        chart.courses.emplace_back().moves = {{held[i], held[i + 1]}};
+        chart.at(held[i + 1], course) = {Stitch::Knit, yarn};
+        for (std::size_t k = i + 2; k < held.size(); ++k) {
+            chart.at(held[k], course).stitch = Stitch::Rest;
+        }
+    }
+    return true;
+}
+
+bool useBeds(Chart& chart, BedUse beds) {
+    const bool moves = std::ranges::any_of(chart.courses, [](const Course& c) { return !c.moves.empty(); });
+    if (chart.beds == beds || moves) {
+        return chart.beds == beds;
+    }
+    chart.beds = beds;
+    if (beds == BedUse::Double) {
+        nameRearBeds(chart);
+        return true;
+    }
+    for (Cell& cell : chart.cells) {
+        cell.stitch = onOneBed(cell.stitch);
+    }
+    for (Course& course : chart.courses) {
+        course.rack = 0;
+        course.colours = isBacked(course.colours) ? ColourMethod::Float : course.colours;
+    }
+    return true;
+}
+
+void nameRearBeds(Chart& chart) {
+    for (int wale = 0; wale < chart.width; ++wale) {
+        bool front = false;
+        bool rear = false;
+        for (int c = 0; c < chart.height(); ++c) {
+            Stitch& stitch = chart.at(wale, c).stitch;
+            if (rear && !front && !isAsInProgram(chart, wale, c)) {
+                stitch = stitch == Stitch::Tuck   ? Stitch::RearTuck
+                         : stitch == Stitch::Miss ? Stitch::RearMiss
+                                                  : stitch;
+            }
+            front = front || stitch == Stitch::Knit || stitch == Stitch::Both || stitch == Stitch::Tuck;
+            rear = rear || stitch == Stitch::Purl || stitch == Stitch::Both;
+        }
+    }
 }
 
 ChartPatch::ChartPatch(const Chart& before, const Chart& after) {

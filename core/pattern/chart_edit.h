@@ -91,6 +91,18 @@ void insertWales(Chart& chart, int wale, int count);
 void removeCourses(Chart& chart, int course, int count);
 void removeWales(Chart& chart, int wale, int count);
 
+/// New courses at the end that draw each loop over its neighbour, from the right to the left, until one is
+/// left. Only a chart on one bed; false, and nothing is done, elsewhere and where there is nothing to bind
+/// off.
+bool bindOff(Chart& chart);
+
+/// Lets the chart work on one bed or on both. False, and nothing is done, where loops are moved: that needs
+/// one bed. On one bed cells keep what the front shows; backs of colours and rackings go.
+bool useBeds(Chart& chart, BedUse beds);
+
+/// Tucks and misses of a chart on two beds that name no bed go to the rear one, where only that holds a loop.
+void nameRearBeds(Chart& chart);
+
 /// The difference of two charts, for undo: only the courses between the first and the last that differ.
 class ChartPatch {
 public:

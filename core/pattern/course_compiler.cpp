@@ -27,6 +27,7 @@ void CourseCompiler::knit(int course) {
         castOnAlternating(m_chart, m_feeds, m_held, m_builder);
     }
     moveLoops(course, m_chart.course(course).moves);
+    dropLoops(course);
     prepareBeds(course);
     knitCourse(course);
     m_feeds.takeOut(course, m_builder);
@@ -40,6 +41,7 @@ void CourseCompiler::knitAsInProgram(int course) {
         moveLoops(course, added);
         m_builder.rack(program.rack);
     }
+    dropLoops(course);
     checkEmpty(course);
     works.knit();
     m_feeds.takeOut(course, m_builder, yarnsOf(program));
@@ -51,7 +53,7 @@ void CourseCompiler::end() {
         m_builder.rack(0);
     }
     if (m_options.ending == Ending::Dropped) {
-        drop();
+        dropWhere([](int) { return true; });
     }
 }
 
@@ -101,6 +103,22 @@ bool CourseCompiler::canMove(int course, const std::vector<LoopMove>& moves) {
         checkRack(course, move.to - move.from);
     }
     return m_problems.size() == before;
+}
+
+void CourseCompiler::dropLoops(int course) {
+    dropWhere([&](int wale) {
+        return m_chart.at(wale, course).stitch == Stitch::Drop && !isAsInProgram(m_chart, wale, course);
+    });
+}
+
+void CourseCompiler::dropWhere(const std::function<bool(int wale)>& falls) {
+    for (const Bed bed : {Bed::Front, Bed::Rear}) {
+        for (int wale = 0; wale < m_chart.width; ++wale) {
+            if (falls(wale)) {
+                m_held.drop({bed, wale}, m_builder);
+            }
+        }
+    }
 }
 
 void CourseCompiler::checkEmpty(int course) {
@@ -157,16 +175,6 @@ void CourseCompiler::sortZones(std::vector<int>& yarns, int course) const {
         const int direction = sign(m_feeds.next(yarn));
         return std::pair(direction, direction * firstWaleOf(m_chart, course, yarn));
     });
-}
-
-void CourseCompiler::drop() {
-    for (const Bed bed : {Bed::Front, Bed::Rear}) {
-        for (int wale = 0; wale < m_chart.width; ++wale) {
-            if (m_held.has(bed, wale)) {
-                m_builder.drop({bed, wale});
-            }
-        }
-    }
 }
 
 void CourseCompiler::checkRack(int course, double rack) {

@@ -4,6 +4,8 @@
 #include "core/pattern/feeds.h"
 #include "core/pattern/program_course.h"
 
+#include <functional>
+
 namespace knittsim::pattern {
 
 /// Makes the program of a chart, course by course from the first one: begin(), knit() of each, end(). Whoever
@@ -40,11 +42,12 @@ private:
     void knitAsInProgram(int course);
     void moveLoops(int course, const std::vector<LoopMove>& moves);
     bool canMove(int course, const std::vector<LoopMove>& moves);
+    void dropLoops(int course);
+    void dropWhere(const std::function<bool(int wale)>& falls);
     void checkEmpty(int course);
     void prepareBeds(int course);
     void knitCourse(int course);
     void sortZones(std::vector<int>& yarns, int course) const;
-    void drop();
     void checkRack(int course, double rack);
     void report(const char* id, int course, int wale, std::vector<std::string> arguments);
 

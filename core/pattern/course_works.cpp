@@ -1,5 +1,7 @@
 #include "core/pattern/course_works.h"
 
+#include "core/pattern/backing.h"
+
 #include <algorithm>
 
 namespace knittsim::pattern {
@@ -16,21 +18,50 @@ bool isWorkOf(Cell cell, int yarn) {
 }
 
 void addWorks(std::vector<Work>& works, Stitch stitch, int wale, Bed loopBed) {
-    if (stitch == Stitch::Knit || stitch == Stitch::Both) {
-        works.push_back({OperationKind::Knit, {Bed::Front, wale}});
-    }
-    if (stitch == Stitch::Purl || stitch == Stitch::Both) {
-        works.push_back({OperationKind::Knit, {Bed::Rear, wale}});
-    }
-    if (stitch == Stitch::Tuck) {
-        works.push_back({OperationKind::Tuck, {loopBed, wale}});
-    }
-    if (stitch == Stitch::Miss) {
-        works.push_back({OperationKind::Miss, {loopBed, wale}});
+    for (const Bed bed : {Bed::Front, Bed::Rear}) {
+        if (const auto kind = workOn(bed, stitch, loopBed)) {
+            works.push_back({*kind, {bed, wale}});
+        }
     }
 }
 
 } // namespace
+
+std::optional<OperationKind> workOn(Bed bed, Stitch stitch, Bed loopBed) {
+    const bool front = bed == Bed::Front;
+    const auto here = [](bool is, OperationKind kind) { return is ? std::optional(kind) : std::nullopt; };
+    switch (stitch) {
+    case Stitch::Knit:
+        return here(front, OperationKind::Knit);
+    case Stitch::Purl:
+        return here(!front, OperationKind::Knit);
+    case Stitch::Both:
+        return OperationKind::Knit;
+    case Stitch::KnitTuck:
+        return front ? OperationKind::Knit : OperationKind::Tuck;
+    case Stitch::TuckKnit:
+        return front ? OperationKind::Tuck : OperationKind::Knit;
+    case Stitch::TuckBoth:
+        return OperationKind::Tuck;
+    case Stitch::Tuck:
+        return here(bed == loopBed, OperationKind::Tuck);
+    case Stitch::Miss:
+        return here(bed == loopBed, OperationKind::Miss);
+    case Stitch::RearTuck:
+        return here(!front, OperationKind::Tuck);
+    case Stitch::RearMiss:
+        return here(!front, OperationKind::Miss);
+    case Stitch::Rest:
+    case Stitch::Empty:
+    case Stitch::Drop:
+        break;
+    }
+    return std::nullopt;
+}
+
+Bed loopBedOf(const Chart& chart, const HeldLoops& held, int wale) {
+    return chart.beds == BedUse::Double ? Bed::Front : held.bedOf(wale);
+}
 
 std::vector<Work> worksOf(const Cell& cell, int wale, Bed loopBed) {
     std::vector<Work> works;
@@ -56,9 +87,9 @@ std::vector<int> yarnsOf(const Chart& chart, int course) {
 }
 
 bool worksBothBeds(const Chart& chart, int course) {
-    bool both = false;
+    bool both = isBacked(chart.course(course).colours);
     for (int wale = 0; wale < chart.width && !both; ++wale) {
-        both = chart.at(wale, course).stitch == Stitch::Both;
+        both = isOnBothBeds(chart.at(wale, course).stitch);
     }
     return both;
 }
@@ -71,8 +102,11 @@ std::vector<Work> worksOf(const Chart& chart, int course, int yarn, const HeldLo
     std::vector<Work> works;
     for (int wale = 0; wale < chart.width; ++wale) {
         if (const Cell cell = chart.at(wale, course); isWorkOf(cell, yarn)) {
-            addWorks(works, cell.stitch, wale, held.bedOf(wale));
+            addWorks(works, cell.stitch, wale, loopBedOf(chart, held, wale));
         }
+    }
+    for (const int wale : backingOf(chart, course, yarn)) {
+        works.push_back({OperationKind::Knit, {Bed::Rear, wale}});
     }
     const double rack = rackOf(chart, course);
     std::ranges::stable_sort(works, {}, [&](const Work& work) { return positionPitches(work.needle, rack); });

@@ -2,6 +2,8 @@
 
 #include "core/pattern/move_plan.h"
 
+#include <cstdlib>
+
 namespace knittsim::pattern {
 
 using machine::Bed;
@@ -61,6 +63,26 @@ void HeldLoops::toBed(int wale, Bed bed, ProgramBuilder& builder) {
     }
 }
 
+void HeldLoops::drop(Needle needle, ProgramBuilder& builder) {
+    if (has(needle.bed, needle.index)) {
+        builder.drop(needle);
+        set(needle, false);
+    }
+}
+
+void HeldLoops::bringNeighbours(const std::vector<LoopMove>& moves, const std::vector<bool>& leaves,
+                                ProgramBuilder& builder) {
+    for (const LoopMove& move : moves) {
+        const int reach = std::abs(move.to - move.from);
+        for (int wale = move.from - reach; wale <= move.from + reach; ++wale) {
+            const bool inside = wale >= 0 && wale < static_cast<int>(leaves.size());
+            if (reach > 2 && inside && !leaves[static_cast<std::size_t>(wale)]) {
+                toBed(wale, Bed::Front, builder);
+            }
+        }
+    }
+}
+
 void HeldLoops::move(const std::vector<LoopMove>& moves, ProgramBuilder& builder) {
     std::vector<bool> leaves(row(Bed::Front).size(), false);
     for (const LoopMove& move : moves) {
@@ -72,6 +94,7 @@ void HeldLoops::move(const std::vector<LoopMove>& moves, ProgramBuilder& builder
             toBed(move.to, Bed::Front, builder);
         }
     }
+    bringNeighbours(moves, leaves, builder);
     for (const MoveStep& step : planMoves(moves)) {
         builder.rack(step.rack);
         for (const LoopMove& move : step.moves) {

@@ -27,8 +27,11 @@ public:
 
     /// Transfers the loops of the facing needle, if any, to this bed at racking 0.
     void toBed(int wale, machine::Bed bed, ProgramBuilder& builder);
+    /// Drops the loops of the needle, if any.
+    void drop(machine::Needle needle, ProgramBuilder& builder);
     /// Carries out moves: all loops to the rear bed, then racking by racking to the front. Every `from` holds
-    /// a loop.
+    /// a loop. Around moves over more than two needles the others wait on the front bed: behind, the racking
+    /// would pull them away from the loops that have arrived.
     void move(const std::vector<LoopMove>& moves, ProgramBuilder& builder);
 
 private:
@@ -36,6 +39,8 @@ private:
     const std::vector<bool>& row(machine::Bed bed) const { return m_rows[static_cast<std::size_t>(bed)]; }
 
     void set(machine::Needle needle, bool held);
+    void bringNeighbours(const std::vector<LoopMove>& moves, const std::vector<bool>& leaves,
+                         ProgramBuilder& builder);
 
     std::array<std::vector<bool>, machine::kBedCount> m_rows; ///< by Bed and wale
 };

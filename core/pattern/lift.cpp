@@ -31,8 +31,8 @@ bool isSame(const Operation& a, const Operation& b) {
 class Reading {
 public:
     Reading(const LiftInput& input, const machine::MachineProfile& machine, const CourseRules& rules,
-            Ending ending)
-        : m_input(input), m_segments(coursesOf(input, rules)) {
+            Ending ending, ColourMethod first)
+        : m_input(input), m_segments(coursesOf(input, rules)), m_backed(rules.backing), m_preferred(first) {
         m_project.castOn = rules.castOn ? CastOn::Alternating : CastOn::Open;
         m_project.ending = ending;
         m_options = {.castOn = m_project.castOn, .ending = ending, .firstNeedle = 0, .machine = machine};
@@ -44,7 +44,7 @@ public:
             const ProgramSegment& segment = segmentOf(c);
             std::ranges::copy(segment.cells, chart.cells.begin() + std::ptrdiff_t{c} * chart.width);
             chart.course(c).moves = segment.moves.front();
-            chart.course(c).rack = rules.doubleBeds ? static_cast<int>(std::lround(segment.rack)) : 0;
+            chart.course(c).rack = rules.doubleBeds ? static_cast<int>(std::floor(segment.rack)) : 0;
             chart.course(c).stitchNumber = segment.stitchNumber;
         }
         for (const Diagnostic& problem : check(chart)) {
@@ -54,6 +54,18 @@ public:
 
     int courses() const { return m_project.chart.height(); }
     const std::vector<int>& kept() const { return m_kept; }
+    /// No course has turned out otherwise than one below it took for granted.
+    bool holds() const {
+        const bool cast = m_project.castOn == CastOn::Alternating && courses() > 1;
+        return !cast || !isBacked(m_project.chart.course(0).colours) ||
+               m_project.chart.course(1).colours == m_assumed;
+    }
+    /// The first back that the chart has; Float: none.
+    ColourMethod backing() const {
+        const auto& all = m_project.chart.courses;
+        const auto found = std::ranges::find_if(all, isBacked, &Course::colours);
+        return found == all.end() ? ColourMethod::Float : found->colours;
+    }
     Project takeProject() { return std::move(m_project); }
 
     void verify() {
@@ -77,23 +89,55 @@ private:
     /// The chart says this course, one way or the other.
     bool says(CourseCompiler& compiler, const CourseCompiler::Mark& mark, int c, bool last) {
         if (m_illFormed.contains(c)) {
+            take(c, ColourMethod::Float, segmentOf(c).moves.front());
             return false;
         }
-        Course& course = m_project.chart.course(c);
-        const ProgramSegment& segment = segmentOf(c);
-        const bool zones = segment.joins || yarnsOf(m_project.chart, c).size() > 1;
-        for (const ColourMethod colours : {ColourMethod::Float, ColourMethod::Intarsia}) {
-            for (const std::vector<LoopMove>& moves : segment.moves) {
-                course.colours = colours;
-                course.moves = moves;
-                if ((colours == ColourMethod::Float || zones) && saysNow(compiler, mark, c, last)) {
+        for (const ColourMethod colours : methodsFor(c)) {
+            for (const std::vector<LoopMove>& moves : segmentOf(c).moves) {
+                take(c, colours, moves);
+                if (c == 0 && isBacked(colours) && !last) {
+                    take(1, colours, segmentOf(1).moves.front()); // the cast-on makes loops for both
+                    m_assumed = colours;
+                }
+                if (saysNow(compiler, mark, c, last)) {
+                    m_preferred = isBacked(colours) ? colours : m_preferred;
                     return true;
                 }
             }
         }
-        course.colours = ColourMethod::Float;
-        course.moves = segment.moves.front();
+        take(c, ColourMethod::Float, segmentOf(c).moves.front());
         return false;
+    }
+
+    /// The back that was there last comes first: of one yarn alone a stitch on both beds looks like it.
+    std::vector<ColourMethod> methodsFor(int c) const {
+        std::vector<ColourMethod> methods{ColourMethod::Float};
+        if (segmentOf(c).joins || yarnsOf(m_project.chart, c).size() > 1) {
+            methods.push_back(ColourMethod::Intarsia);
+        }
+        if (m_backed) {
+            for (const ColourMethod method : {ColourMethod::Birdseye, ColourMethod::LadderBack}) {
+                methods.insert(m_preferred == method ? methods.begin() : methods.end(), method);
+            }
+        }
+        return methods;
+    }
+
+    /// Stitches of the rear bed behind those of the front bed are the back, where there is one.
+    void take(int c, ColourMethod colours, const std::vector<LoopMove>& moves) {
+        Chart& chart = m_project.chart;
+        chart.course(c).colours = colours;
+        chart.course(c).moves = moves;
+        const std::vector<Cell>& cells = segmentOf(c).cells;
+        for (int wale = 0; m_backed && wale < chart.width; ++wale) {
+            Cell& cell = chart.at(wale, c);
+            cell = cells[static_cast<std::size_t>(wale)];
+            if (isBacked(colours)) {
+                cell.stitch = cell.stitch == Stitch::Both       ? Stitch::Knit
+                              : cell.stitch == Stitch::TuckKnit ? Stitch::Tuck
+                                                                : cell.stitch;
+            }
+        }
     }
 
     bool saysNow(CourseCompiler& compiler, const CourseCompiler::Mark& mark, int c, bool last) const {
@@ -153,8 +197,11 @@ private:
     std::vector<ProgramSegment> m_segments;
     Project m_project;
     CompileOptions m_options;
-    std::set<int> m_illFormed; ///< courses that no chart for these beds can have
-    std::vector<int> m_kept;   ///< courses
+    std::set<int> m_illFormed;                    ///< courses that no chart for these beds can have
+    std::vector<int> m_kept;                      ///< courses
+    bool m_backed;                                ///< the rear bed may knit a back
+    ColourMethod m_preferred;                     ///< of those that fit
+    ColourMethod m_assumed = ColourMethod::Float; ///< of course 1, while course 0 was looked at
 };
 
 /// What a program has that asks for another reading.
@@ -191,6 +238,26 @@ std::vector<bool> choices(bool first, bool other) {
     return other ? std::vector<bool>{first, !first} : std::vector<bool>{first};
 }
 
+/// Nothing: it has too many courses.
+std::optional<Reading> readAs(const LiftInput& input, const machine::MachineProfile& machine,
+                              const CourseRules& rules, Ending ending) {
+    std::optional<Reading> reading;
+    const auto readWith = [&](ColourMethod back) {
+        reading.emplace(input, machine, rules, ending, back);
+        if (reading->courses() <= kMaxCourses) {
+            reading->verify();
+        }
+    };
+    readWith(ColourMethod::Float);
+    if (const ColourMethod back = reading->backing(); back != ColourMethod::Float) {
+        readWith(back); // courses below the first that is surely a back may be one, too
+    }
+    if (reading->courses() > kMaxCourses || !reading->holds()) {
+        return std::nullopt;
+    }
+    return reading;
+}
+
 /// The reading that leaves the fewest courses unsaid; of those the one with the fewest courses.
 std::optional<Reading> bestReading(const LiftInput& input, const machine::MachineProfile& machine) {
     const Signs signs = signsOf(input);
@@ -199,19 +266,18 @@ std::optional<Reading> bestReading(const LiftInput& input, const machine::Machin
         for (const bool castOn : choices(signs.tucksFirst, signs.tucksFirst)) {
             for (const bool missesWork : choices(true, signs.misses)) {
                 for (const bool backing : choices(false, doubleBeds)) {
-                    const CourseRules rules{castOn, missesWork, backing, doubleBeds};
-                    Reading reading(input, machine, rules, signs.drops ? Ending::Dropped : Ending::Held);
-                    if (reading.courses() > kMaxCourses) {
+                    auto reading = readAs(input, machine, {castOn, missesWork, backing, doubleBeds},
+                                          signs.drops ? Ending::Dropped : Ending::Held);
+                    if (!reading) {
                         continue;
                     }
-                    reading.verify();
-                    if (!best || std::pair(reading.kept().size(), reading.courses()) <
+                    if (!best || std::pair(reading->kept().size(), reading->courses()) <
                                      std::pair(best->kept().size(), best->courses())) {
-                        best.emplace(std::move(reading));
+                        best.emplace(std::move(*reading));
                     }
-                    if (best->kept().empty()) {
-                        return best;
-                    }
+                }
+                if (best && best->kept().empty()) {
+                    return best;
                 }
             }
         }

@@ -298,6 +298,7 @@ std::optional<PictureCells> reducePicture(const Picture& picture, const PictureO
 
 Chart chartOf(const PictureCells& cells, const std::vector<std::string>& carriers, ColourMethod method) {
     Chart chart(cells.wales, cells.courses);
+    chart.beds = isBacked(method) ? BedUse::Double : BedUse::Single;
     for (std::size_t i = 0; i < cells.colours.size(); ++i) {
         chart.yarns.push_back({carriers[i], cells.colours[i], {}});
     }

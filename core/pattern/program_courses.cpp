@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
 namespace knittsim::pattern {
 
@@ -58,8 +57,12 @@ std::vector<Pass> passesOf(const std::vector<Operation>& operations) {
     }
     for (Pass& pass : passes) {
         const Operation& end = operations[pass.end - 1];
-        pass.join = end.kind == OperationKind::Tuck && pass.end - pass.first > 1 &&
-                    std::abs(operations[pass.end - 2].needle.index - end.needle.index) == 1;
+        const auto sameWale = [&](const Operation& op) { return op.needle.index == end.needle.index; };
+        const auto first = operations.begin() + static_cast<std::ptrdiff_t>(pass.first);
+        const auto last = operations.begin() + static_cast<std::ptrdiff_t>(pass.end) - 1;
+        pass.join = end.kind == OperationKind::Tuck && first != last &&
+                    (last - 1)->needle.index + sign(end.direction) == end.needle.index &&
+                    std::none_of(first, last, sameWale);
     }
     return passes;
 }
@@ -69,7 +72,8 @@ class Segmenter {
 public:
     Segmenter(const LiftInput& input, const CourseRules& rules)
         : m_input(input), m_operations(input.operations), m_rules(rules), m_passes(passesOf(m_operations)),
-          m_held(input.wales), m_worked(at(input.wales)), m_seen(at(input.wales)) {}
+          m_held(input.wales), m_worked(at(input.wales)), m_seen(at(input.wales)),
+          m_dropped(at(input.wales), -1) {}
 
     std::vector<ProgramSegment> run() {
         std::size_t pass = m_rules.castOn ? skipCastOn() : 0;
@@ -134,9 +138,17 @@ private:
         return count;
     }
 
-    bool isSure(const Pass& pass, std::size_t i) const { return !pass.join || i + 1 < pass.end; }
+    /// No join. In front of a back there is none.
+    bool isSure(const Pass& pass, std::size_t i) const {
+        return !pass.join || i + 1 < pass.end || m_rules.backing;
+    }
 
     bool overlaps(const Pass& pass) {
+        // Several yarns may knit one needle of a back; none of them works the rear bed alone.
+        bool rearOnly = true;
+        for (std::size_t i = pass.first; i < pass.end; ++i) {
+            rearOnly = rearOnly && side(m_operations[i].needle) == 1;
+        }
         for (std::size_t i = pass.first; i < pass.end; ++i) {
             const Operation& op = m_operations[i];
             if (!isSure(pass, i) || (op.kind == OperationKind::Miss && !m_rules.missesWork)) {
@@ -144,7 +156,7 @@ private:
             }
             const Works& there = works(op.needle.index);
             for (std::size_t bed = 0; bed < there.size(); ++bed) {
-                const bool counts = !m_rules.backing || bed == side(op.needle);
+                const bool counts = !m_rules.backing || (bed == side(op.needle) && (bed == 0 || rearOnly));
                 if (counts && there[bed].course == course() && there[bed].sure &&
                     (there[bed].kind != OperationKind::Miss || m_rules.missesWork)) {
                     return true;
@@ -223,9 +235,6 @@ private:
         for (int wale = 0; wale < m_input.wales; ++wale) {
             segment.cells[at(wale)] = cellOf(wale);
         }
-        if (std::ranges::any_of(segment.cells, [](const Cell& c) { return c.stitch == Stitch::Both; })) {
-            segment.rack -= 0.25;
-        }
     }
 
     Cell cellOf(int wale) {
@@ -245,19 +254,29 @@ private:
         const auto cell = [&](Stitch stitch, std::size_t bed) {
             return Cell{stitch, static_cast<std::uint8_t>(here[bed].yarn)};
         };
-        if (is(0, OperationKind::Knit)) {
-            return cell(is(1, OperationKind::Knit) ? Stitch::Both : Stitch::Knit, 0);
+        using enum OperationKind;
+        if (is(0, Knit)) {
+            return cell(is(1, Knit) ? Stitch::Both : is(1, Tuck) ? Stitch::KnitTuck : Stitch::Knit, 0);
         }
-        if (is(1, OperationKind::Knit)) {
+        if (m_rules.doubleBeds && is(0, Tuck) && (is(1, Knit) || is(1, Tuck))) {
+            return cell(is(1, Knit) ? Stitch::TuckKnit : Stitch::TuckBoth, 0);
+        }
+        if (m_rules.backing && is(0, Miss)) {
+            return cell(Stitch::Miss, 0);
+        }
+        if (is(1, Knit)) {
             return cell(Stitch::Purl, 1);
         }
-        for (const auto& [kind, stitch] :
-             {std::pair{OperationKind::Tuck, Stitch::Tuck}, {OperationKind::Miss, Stitch::Miss}}) {
+        for (const auto& [kind, stitch, rear] :
+             {std::tuple{Tuck, Stitch::Tuck, Stitch::RearTuck}, {Miss, Stitch::Miss, Stitch::RearMiss}}) {
             for (const std::size_t bed : {0U, 1U}) {
                 if (is(bed, kind)) {
-                    return cell(stitch, bed);
+                    return cell(bed == 1 && m_rules.doubleBeds ? rear : stitch, bed);
                 }
             }
+        }
+        if (m_dropped[at(wale)] == course()) {
+            return {Stitch::Drop, 0};
         }
         return {m_held.any(wale) ? Stitch::Rest : Stitch::Empty, 0};
     }
@@ -286,6 +305,9 @@ private:
                 }
             } else if (machine::makesLoop(op.kind) || op.kind == OperationKind::Drop) {
                 seenAt(op.needle).origin = -1;
+            }
+            if (op.kind == OperationKind::Drop) {
+                m_dropped[at(op.needle.index)] = course();
             }
             m_held.apply(op);
         }
@@ -350,6 +372,7 @@ private:
     HeldLoops m_held; ///< before the present course
     std::vector<Works> m_worked;
     std::vector<std::array<Seen, machine::kBedCount>> m_seen; ///< by wale and bed
+    std::vector<int> m_dropped;                               ///< by wale: the last course that did
     std::array<CarrierUse, 256> m_use{};                      ///< by yarn
     std::vector<ProgramSegment> m_segments;
 };

@@ -107,7 +107,7 @@ void ProgramWorks::prepare(int wale) {
 
 void ProgramWorks::work(int wale, Direction direction) {
     const Cell& cell = m_chart.at(wale, m_course);
-    std::vector<Work> works = worksOf(cell, wale, m_held.bedOf(wale));
+    std::vector<Work> works = worksOf(cell, wale, loopBedOf(m_chart, m_held, wale));
     if (direction == Direction::Left) {
         std::ranges::reverse(works);
     }
@@ -160,7 +160,8 @@ void ProgramWorks::knitAlone() {
         for (const int wale : m_alone) {
             if (m_chart.at(wale, m_course).yarn == yarn) {
                 prepare(wale);
-                const std::vector<Work> own = worksOf(m_chart.at(wale, m_course), wale, m_held.bedOf(wale));
+                const std::vector<Work> own =
+                    worksOf(m_chart.at(wale, m_course), wale, loopBedOf(m_chart, m_held, wale));
                 works.insert(works.end(), own.begin(), own.end());
             }
         }

@@ -5,6 +5,7 @@
 #include "core/formats/formats.h"
 #include "core/machine/emulator.h"
 #include "core/pattern/cell_letters.h"
+#include "core/pattern/chart_edit.h"
 #include "core/pattern/program_text.h"
 
 #include <fmt/format.h>
@@ -20,8 +21,11 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMaxProjectBytes = std::size_t{256} << 20;
-constexpr std::string_view kThumbnailKey = "\"thumbnail\": \"";
+constexpr std::string_view kThumbnailKey = "thumbnail";
+constexpr std::string_view kViewKey = "view";
 constexpr std::size_t kMaxThumbnail = 96 * 1024; ///< it stands at the start of the file
+
+const std::vector<std::string> kMethods{"float", "intarsia", "birdseye", "ladder"}; ///< by ColourMethod
 
 /// One course, on one line.
 std::string courseText(const Chart& chart, int c) {
@@ -33,8 +37,8 @@ std::string courseText(const Chart& chart, int c) {
     if (!course.moves.empty()) {
         text += ", \"moves\": " + movesText(course.moves);
     }
-    if (course.colours == ColourMethod::Intarsia) {
-        text += R"(, "colours": "intarsia")";
+    if (course.colours != ColourMethod::Float) {
+        text += fmt::format(R"(, "colours": "{}")", kMethods[static_cast<std::size_t>(course.colours)]);
     }
     if (course.rack != 0) {
         text += fmt::format(", \"rack\": {}", course.rack);
@@ -75,7 +79,8 @@ public:
         }
         readYarns();
         m_project.colourways = readColourways(m_reader, m_name, m_problems);
-        m_reader.optionalText("thumbnail"); // for readThumbnail()
+        m_reader.optionalText("thumbnail"); // for readLook()
+        m_reader.optionalText("view");
         const std::vector<json> courses = m_reader.array("courses", 1, kMaxCourses);
         if (!m_problems.empty()) {
             return Result<Project>::failure(std::move(m_problems));
@@ -88,6 +93,9 @@ public:
             readCourse(courses[c], static_cast<int>(c));
         }
         m_reader.rejectUnknownKeys();
+        if (version < 3 && both) {
+            nameRearBeds(m_project.chart);
+        }
         if (m_problems.empty()) {
             takeStructure();
         }
@@ -129,8 +137,10 @@ private:
     void readSettings(JsonReader& reader, int c) {
         Course& course = m_project.chart.course(c);
         course.moves = readMoves(reader);
-        if (reader.has("colours") && reader.choice("colours", {"float", "intarsia"}) == "intarsia") {
-            course.colours = ColourMethod::Intarsia;
+        if (reader.has("colours")) {
+            const std::string method = reader.choice("colours", kMethods);
+            const auto found = std::ranges::find(kMethods, method);
+            course.colours = static_cast<ColourMethod>((found - kMethods.begin()) % kColourMethods);
         }
         if (reader.has("rack")) {
             course.rack = reader.integer("rack", -1000, 1000);
@@ -152,11 +162,13 @@ private:
 
 } // namespace
 
-std::string writeProject(const Project& project, std::string_view thumbnail) {
+std::string writeProject(const Project& project, const ProjectLook& look) {
     const Chart& chart = project.chart;
     std::string text = fmt::format("{{\n\"knitt\": {},\n", kProjectVersion);
-    if (!thumbnail.empty()) {
-        text += fmt::format("{}{}\",\n", kThumbnailKey, thumbnail);
+    for (const auto& [key, value] : {std::pair{kThumbnailKey, &look.thumbnail}, {kViewKey, &look.view}}) {
+        if (!value->empty()) {
+            text += fmt::format("\"{}\": \"{}\",\n", key, *value);
+        }
     }
     if (!project.machine.empty()) {
         text += fmt::format("\"machine\": {},\n", json(project.machine).dump());
@@ -187,15 +199,19 @@ Result<Project> readProject(std::string_view text, const std::string& file) {
     return Reader(parsed.value(), file).read();
 }
 
-std::string readThumbnail(const std::filesystem::path& path) {
+ProjectLook readLook(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     std::string start(kMaxThumbnail, '\0');
     file.read(start.data(), static_cast<std::streamsize>(start.size()));
     start.resize(static_cast<std::size_t>(file.gcount()));
-    const std::size_t key = start.find(kThumbnailKey);
-    const std::size_t first = key + kThumbnailKey.size();
-    const std::size_t end = key == std::string::npos ? key : start.find('"', first);
-    return end == std::string::npos ? std::string() : start.substr(first, end - first);
+    const auto valueOf = [&](std::string_view name) {
+        const std::string key = fmt::format("\"{}\": \"", name);
+        const std::size_t at = start.find(key);
+        const std::size_t first = at + key.size();
+        const std::size_t end = at == std::string::npos ? at : start.find('"', first);
+        return end == std::string::npos ? std::string() : start.substr(first, end - first);
+    };
+    return {valueOf(kThumbnailKey), valueOf(kViewKey)};
 }
 
 Result<Project> readProjectFile(const std::filesystem::path& path) {

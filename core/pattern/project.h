@@ -25,8 +25,9 @@ struct Project {
 
 /// A project file (.knitt) is JSON with a line for each course, so that a version control shows what changed:
 ///
-///     knitt      2, the version of the format
+///     knitt      3, the version of the format
 ///     thumbnail  a small PNG in base64 for lists of files, may be missing (since version 2)
+///     view       the camera on the fabric in base64, may be missing (since version 3)
 ///     machine    id of a machine profile, may be missing
 ///     cast_on    "open" or "alternating"
 ///     ending     "held" or "dropped"
@@ -38,13 +39,13 @@ struct Project {
 ///     colourways list of {name, yarns as above}, may be missing (since version 2)
 ///     courses    from the first one knitted to the last; each
 ///         stitches   a letter for each wale from the left: k knit, p purl, b both, t tuck, m miss, r rest,
-///                    . empty
+///                    . empty; since version 3 f knit in front, tuck behind; g tuck in front, knit behind;
+///                    u tuck on both, q rear tuck, n rear miss, d drop
 ///         yarns      a digit 0-9 a-z for each wale, or a single one for all
 ///         moves      pairs [from, to] of wales, may be missing
-///         colours    "float" or "intarsia"; missing: float
-///         rack       pitches; missing: 0
-///         stitch     stitch number from here on; may be missing
-///         program    how a program from outside knits the course (ProgramCourse); may be missing
+///         colours    "float", "intarsia", "birdseye" or "ladder" (the last two since version 3); missing:
+///         float rack       pitches; missing: 0 stitch     stitch number from here on; may be missing program
+///         how a program from outside knits the course (ProgramCourse); may be missing
 ///             stitches, yarns, moves  what it makes, as above
 ///             loops       a hexadecimal digit for each wale: 1 front, 2 rear, 4 and 8 the sliders hold loops
 ///                         before
@@ -52,15 +53,21 @@ struct Project {
 ///             rack        before
 ///             operations  lines of knitout; needles are wales, carriers the digits of yarns
 ///
-/// Files of version 1 have neither thumbnail nor colourways.
-constexpr int kProjectVersion = 2;
+/// Files of version 1 have neither thumbnail nor colourways. Before version 3 a tuck or miss of a chart on
+/// two beds was on the rear bed where only that held a loop; such cells are read as rear tuck and rear miss.
+constexpr int kProjectVersion = 3;
 constexpr std::string_view kProjectExtension = ".knitt";
 
-/// `thumbnail`: base64; empty: none.
-std::string writeProject(const Project& project, std::string_view thumbnail = {});
+/// What is shown beside the chart, in base64; empty: none.
+struct ProjectLook {
+    std::string thumbnail = {};
+    std::string view = {};
+};
 
-/// The thumbnail of a project file, in base64, without reading the chart; empty where there is none.
-std::string readThumbnail(const std::filesystem::path& path);
+std::string writeProject(const Project& project, const ProjectLook& look = {});
+
+/// Thumbnail and view of a project file, without reading the chart.
+ProjectLook readLook(const std::filesystem::path& path);
 
 /// Errors: KS0003 to KS0005 with the place in the JSON, KS0509 for a version that is newer than this program,
 /// KS0501 and KS0503. A chart with stitches or yarns that cannot be knitted is read all the same.

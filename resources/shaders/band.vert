@@ -10,8 +10,10 @@ void main() {
     vec3 across = cross(vTangent, node.toViewer);
     float length2 = dot(across, across);
     vAcross = length2 > 1e-6 ? across * inversesqrt(length2) : node.reference;
-    vDepth = node.height + 0.35;
-    vec4 place = vec4(node.place + vSide * uRadius * vAcross, 1.0);
+    vDepth = node.height + kMeanHeight;
+    // Inside a bend narrower than the yarn the band would fold over itself.
+    float radius = min(uRadius, 0.92 / max(dot(vSide * vAcross, node.bend), 1e-6));
+    vec4 place = vec4(node.place + radius * (vSide * vAcross + kTowardsRidge * cross(vAcross, vTangent)), 1.0);
     gl_ClipDistance[0] = dot(uCut, place);
     vec4 seen = uView * place;
     vViewZ = seen.z;

@@ -3,6 +3,7 @@
 uniform int uFirst;          // node
 uniform int uHairs;
 uniform float uHair;         // 0 .. 1
+uniform float uGrown;        // 0 .. 1: they grow as the yarn comes nearer
 uniform vec3 uKey;           // unit, to the light
 uniform float uSegmentMm;    // between two nodes
 
@@ -26,7 +27,7 @@ void main() {
     chance();
     float angle = 6.28318531 * chance();
     float share = chance();
-    float reach = uRadius * (0.12 + 0.75 * uHair) * (0.25 + share * share);
+    float reach = uRadius * (0.12 + 0.75 * uHair) * (0.25 + share * share) * uGrown;
     float lean = 3.2 * (chance() - 0.5);
     float curl = 2.6 * (chance() - 0.5);
     float t = float(gl_VertexID) / kLast;

@@ -1,4 +1,6 @@
-// A yarn too far away to show its plies.
+// A yarn too far away to show its plies; its fibres shine as they do near by.
+
+uniform float uHelix;        // tangent of the fibres' angle to the yarn
 
 struct Fibres {
     vec3 normal;
@@ -8,6 +10,8 @@ struct Fibres {
 };
 
 Fibres findFibres(Surface surface, vec3 between) {
-    float shine = dot(surface.normal, between);
-    return Fibres(surface.normal, 0.97, 1.0, shine * shine);
+    vec3 fibre = vTangent + uHelix * cross(vTangent, surface.normal);
+    float along = dot(fibre, between);
+    float shine = max(0.0, 1.0 - along * along / dot(fibre, fibre));
+    return Fibres(surface.normal, 1.0, 1.0, shine);
 }

@@ -20,6 +20,8 @@ out float vSlope;                  // sine of the angle between yarn and line of
 out float vGlow;                   // 1 selected, 0.5 hovered, 0
 out float vValue;                  // 0 to 1: what the colour tells
 
+const float kMeanHeight = 0.393;   // of the side of a round yarn that is seen over its middle, in diameters
+
 struct Node {
     vec3 place;
     vec3 reference;                // a direction across the yarn that turns with it

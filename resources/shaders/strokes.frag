@@ -14,6 +14,6 @@ void main() {
     float softAlong = uSoft * 0.7;
     float dotted = smoothstep(0.0, softAlong + 0.05, 0.28 - along) *
                    (1.0 - smoothstep(0.16 - uSoft, 0.16 + uSoft, side)) * clamp(1.6 - 2.0 * softAlong, 0.0, 1.0);
-    vec3 colour = body * (1.0 - 0.78 * smoothstep(0.66 - uSoft, 0.66 + uSoft, side));
+    vec3 colour = body * (1.0 - 0.78 * smoothstep(0.54 - uSoft, 0.54 + uSoft, side));
     oColour = vec4(mix(colour, 0.28 * body + 0.72, dotted), 1.0);
 }

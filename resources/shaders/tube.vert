@@ -25,7 +25,7 @@ void main() {
         float turn = corner == uSides ? 0.0 : vAngle;   // exactly, so that the seam is tight
         vOutwards = cos(turn) * first + sin(turn) * cross(vTangent, first);
     }
-    vDepth = node.height + 0.5 * dot(vOutwards, node.normal);
+    vDepth = node.height + (uSides == 3 ? kMeanHeight : 0.5 * dot(vOutwards, node.normal));
     // Inside a bend narrower than the yarn the tube would fold over itself.
     radius = min(radius, 0.92 / max(dot(vOutwards, node.bend), 1e-6));
     if (node.isEnd) radius *= 0.3;

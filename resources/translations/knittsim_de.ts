@@ -2,84 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
-    <name>ExportDialog</name>
-    <message>
-        <source>Picture (PNG)</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>What you see, at any size.</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>Drawing in three strokes (SVG)</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>Lines in millimetres; at every crossing the front yarn lies on top.</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>Geometry, glTF binary (GLB)</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>A closed tube for each yarn, in metres, with its colour. One file.</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>Geometry, glTF text (GLTF)</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>As the binary form, a third larger.</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>Geometry, Wavefront (OBJ)</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>A closed tube for each yarn, in millimetres; colours in an MTL file beside it.</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>Yarn curves (BCC)</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>The middle of each yarn as a curve, in millimetres.</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>Bonding points (CSV)</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>A line for each bonding point: yarn, role, needle, place in millimetres.</source>
-        <translation type="unfinished" />
-    </message>
-</context>
-<context>
-    <name>FabricView</name>
-    <message>
-        <source>%1 mm</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>%1 mm (%2 in)</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>%1 wales in 10 cm</source>
-        <translation>%1 Stäbchen auf 10 cm</translation>
-    </message>
-    <message>
-        <source>%1 courses in 10 cm</source>
-        <translation>%1 Reihen auf 10 cm</translation>
-    </message>
-</context>
-<context>
     <name>beds</name>
     <message>
         <source>front bed</source>
@@ -329,98 +251,102 @@
     <name>knittsim::document::Document</name>
     <message>
         <source>ladder of one loop</source>
-        <translation type="unfinished" />
+        <translation>Laufmasche aus einer Schleife</translation>
     </message>
     <message>
         <source>ladders of %1 loops</source>
-        <translation type="unfinished" />
+        <translation>Laufmaschen aus %1 Schleifen</translation>
     </message>
     <message>
         <source>yarn %1 on carrier %2</source>
-        <translation type="unfinished" />
+        <translation>Garn %1 auf Fadenführer %2</translation>
+    </message>
+    <message>
+        <source>edit as chart</source>
+        <translation>als Patrone bearbeiten</translation>
     </message>
 </context>
 <context>
     <name>knittsim::document::Words</name>
     <message>
         <source>Bound: %1, rack %2</source>
-        <translation type="unfinished" />
+        <translation>Gebunden: %1, Versatz %2</translation>
     </message>
     <message>
         <source>Dropped by %1</source>
-        <translation type="unfinished" />
+        <translation>Abgeworfen durch %1</translation>
     </message>
     <message>
         <source>Hangs on %1</source>
-        <translation type="unfinished" />
+        <translation>Hängt auf %1</translation>
     </message>
     <message>
         <source>The yarn of this loop lies in front here</source>
-        <translation type="unfinished" />
+        <translation>Der Faden dieser Schleife liegt hier vorn</translation>
     </message>
     <message>
         <source>In front here: %1</source>
-        <translation type="unfinished" />
+        <translation>Hier vorn: %1</translation>
     </message>
     <message>
         <source>the loop of line %1 on %2</source>
-        <translation type="unfinished" />
+        <translation>die Schleife von Zeile %1 auf %2</translation>
     </message>
     <message>
         <source>the loop on %1</source>
-        <translation type="unfinished" />
+        <translation>die Schleife auf %1</translation>
     </message>
     <message>
         <source>, through one loop</source>
-        <translation type="unfinished" />
+        <translation>, durch eine Schleife</translation>
     </message>
     <message>
         <source>, through %1 loops</source>
-        <translation type="unfinished" />
+        <translation>, durch %1 Schleifen</translation>
     </message>
     <message>
         <source>, on the empty needle</source>
-        <translation type="unfinished" />
+        <translation>, auf der leeren Nadel</translation>
     </message>
     <message>
         <source>Made: %1%2, rack %3</source>
-        <translation type="unfinished" />
+        <translation>Gebildet: %1%2, Versatz %3</translation>
     </message>
     <message>
         <source>Moved by the split from %1 to %2%3, rack %4</source>
-        <translation type="unfinished" />
+        <translation>Durch das Splitten gewandert von %1 auf %2%3, Versatz %4</translation>
     </message>
     <message>
         <source>Transferred from %1 to %2%3, rack %4</source>
-        <translation type="unfinished" />
+        <translation>Umgehängt von %1 auf %2%3, Versatz %4</translation>
     </message>
     <message>
         <source>, onto one loop</source>
-        <translation type="unfinished" />
+        <translation>, auf eine Schleife</translation>
     </message>
     <message>
         <source>, onto %1 loops</source>
-        <translation type="unfinished" />
+        <translation>, auf %1 Schleifen</translation>
     </message>
     <message>
         <source>Crossed: %1; in front of %2 of %3</source>
-        <translation type="unfinished" />
+        <translation>Gekreuzt: %1; vor %2 von %3</translation>
     </message>
     <message>
         <source>Crossed: %1; behind %2 of %3</source>
-        <translation type="unfinished" />
+        <translation>Gekreuzt: %1; hinter %2 von %3</translation>
     </message>
     <message>
         <source>the left leg</source>
-        <translation type="unfinished" />
+        <translation>dem linken Schenkel</translation>
     </message>
     <message>
         <source>the right leg</source>
-        <translation type="unfinished" />
+        <translation>dem rechten Schenkel</translation>
     </message>
     <message>
         <source>the float before</source>
-        <translation type="unfinished" />
+        <translation>der Flottung davor</translation>
     </message>
 </context>
 <context>
@@ -507,47 +433,47 @@
     </message>
     <message>
         <source>Knit: stitch on the front bed</source>
-        <translation type="unfinished" />
+        <translation>Rechts: Masche auf dem vorderen Bett</translation>
     </message>
     <message>
         <source>Purl: stitch on the rear bed</source>
-        <translation type="unfinished" />
+        <translation>Links: Masche auf dem hinteren Bett</translation>
     </message>
     <message>
         <source>Stitch on both beds</source>
-        <translation type="unfinished" />
+        <translation>Masche auf beiden Betten</translation>
     </message>
     <message>
         <source>Tuck: the yarn is laid into the hook, the loop is held</source>
-        <translation type="unfinished" />
+        <translation>Fang: Der Faden wird in den Haken gelegt, die Schleife bleibt</translation>
     </message>
     <message>
         <source>Miss: the yarn passes, the loop is held</source>
-        <translation type="unfinished" />
+        <translation>Auslassen: Der Faden läuft vorbei, die Schleife bleibt</translation>
     </message>
     <message>
         <source>Rest: the yarn does not come here, the loop is held</source>
-        <translation type="unfinished" />
+        <translation>Ruhe: Der Faden kommt nicht hierher, die Schleife bleibt</translation>
     </message>
     <message>
         <source>Empty: no fabric here</source>
-        <translation type="unfinished" />
+        <translation>Leer: hier ist kein Gestrick</translation>
     </message>
     <message>
         <source>This display offers no OpenGL.</source>
-        <translation type="unfinished" />
+        <translation>Diese Anzeige bietet kein OpenGL.</translation>
     </message>
     <message>
         <source>OpenGL cannot be used on this display.</source>
-        <translation type="unfinished" />
+        <translation>OpenGL kann auf dieser Anzeige nicht benutzt werden.</translation>
     </message>
     <message>
         <source>This display has software OpenGL only.</source>
-        <translation type="unfinished" />
+        <translation>Diese Anzeige hat nur OpenGL in Software.</translation>
     </message>
     <message>
         <source>OpenGL 3.3 is needed; this display has %1.%2.</source>
-        <translation type="unfinished" />
+        <translation>OpenGL 3.3 ist nötig; diese Anzeige hat %1.%2.</translation>
     </message>
     <message>
         <source>The carriage comes</source>
@@ -635,35 +561,35 @@
     </message>
     <message>
         <source>forces are balanced</source>
-        <translation type="unfinished" />
+        <translation>die Kräfte sind im Gleichgewicht</translation>
     </message>
     <message>
         <source>energy and shape no longer change</source>
-        <translation type="unfinished" />
+        <translation>Energie und Form ändern sich nicht mehr</translation>
     </message>
     <message>
         <source>the limit of steps is reached</source>
-        <translation type="unfinished" />
+        <translation>die Höchstzahl der Schritte ist erreicht</translation>
     </message>
     <message>
         <source>the numbers became useless; the last good shape is kept</source>
-        <translation type="unfinished" />
+        <translation>die Zahlen wurden unbrauchbar; die letzte gute Form bleibt</translation>
     </message>
     <message>
         <source>the integrator gave up; try another one</source>
-        <translation type="unfinished" />
+        <translation>der Integrator gab auf; versuche einen anderen</translation>
     </message>
     <message>
         <source>Nothing open</source>
-        <translation type="unfinished" />
+        <translation>Nichts geöffnet</translation>
     </message>
     <message>
         <source>Opening</source>
-        <translation type="unfinished" />
+        <translation>Wird geöffnet</translation>
     </message>
     <message>
         <source>As the machine leaves it</source>
-        <translation type="unfinished" />
+        <translation>Wie von der Maschine</translation>
     </message>
     <message>
         <source>Settling</source>
@@ -679,7 +605,7 @@
     </message>
     <message>
         <source>Stopped</source>
-        <translation type="unfinished" />
+        <translation>Angehalten</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -687,304 +613,469 @@
     </message>
     <message>
         <source>%1 of %2 loops have run</source>
-        <translation type="unfinished" />
+        <translation>%1 von %2 Schleifen sind gelaufen</translation>
     </message>
     <message>
         <source>%1 loops have run, %2 would run</source>
-        <translation type="unfinished" />
+        <translation>%1 Schleifen sind gelaufen, %2 würden laufen</translation>
     </message>
     <message>
         <source>1 loop would run</source>
-        <translation type="unfinished" />
+        <translation>1 Schleife würde laufen</translation>
     </message>
     <message>
         <source>%1 loops would run</source>
-        <translation type="unfinished" />
+        <translation>%1 Schleifen würden laufen</translation>
     </message>
     <message>
         <source>1 loop has run</source>
-        <translation type="unfinished" />
+        <translation>1 Schleife ist gelaufen</translation>
     </message>
     <message>
         <source>%1 loops have run</source>
-        <translation type="unfinished" />
+        <translation>%1 Schleifen sind gelaufen</translation>
     </message>
     <message>
         <source>Nothing more runs: every loop that is left is held by a needle or by the loop drawn through it.</source>
-        <translation type="unfinished" />
+        <translation>Mehr läuft nicht: Jede Schleife, die noch da ist, wird von einer Nadel gehalten oder von der Schleife, die durch sie gezogen ist.</translation>
     </message>
     <message>
         <source>Nothing runs: every loop is held by a needle or by the loop drawn through it.</source>
-        <translation type="unfinished" />
+        <translation>Nichts läuft: Jede Schleife wird von einer Nadel gehalten oder von der Schleife, die durch sie gezogen ist.</translation>
     </message>
     <message>
         <source>%1 Without the stitch holder the loops left on the needles run as well.</source>
-        <translation type="unfinished" />
+        <translation>%1 Ohne den Maschenhalter laufen auch die Schleifen, die noch auf Nadeln hängen.</translation>
     </message>
     <message>
         <source>Takes out the loops that nothing holds, course by course, and gives their yarn to the neighbours</source>
-        <translation type="unfinished" />
+        <translation>Nimmt Reihe um Reihe die Schleifen heraus, die nichts hält, und gibt ihren Faden den Nachbarn</translation>
     </message>
     <message>
         <source>Loops left on the needles are held; without it the fabric ravels from the top</source>
-        <translation type="unfinished" />
+        <translation>Schleifen, die noch auf Nadeln hängen, werden gehalten; ohne ihn läuft das Gestrick von oben auf</translation>
     </message>
     <message>
         <source>Laying the yarn</source>
-        <translation type="unfinished" />
+        <translation>Der Faden wird gelegt</translation>
     </message>
     <message>
         <source>The yarn grows</source>
-        <translation type="unfinished" />
+        <translation>Der Faden wird dick</translation>
     </message>
     <message>
         <source>Settling, step %1</source>
-        <translation type="unfinished" />
+        <translation>Entspannt sich, Schritt %1</translation>
     </message>
     <message>
         <source>%1 × %2 mm a stitch</source>
-        <translation type="unfinished" />
+        <translation>%1 × %2 mm je Masche</translation>
     </message>
     <message>
         <source>At rest: wale spacing %1 mm, course spacing %2 mm, %3 × %4 mm</source>
-        <translation type="unfinished" />
+        <translation>In Ruhe: Stäbchenabstand %1 mm, Reihenabstand %2 mm, %3 × %4 mm</translation>
     </message>
     <message>
         <source>No yarn is inside another</source>
-        <translation type="unfinished" />
+        <translation>Kein Faden steckt in einem anderen</translation>
     </message>
     <message>
         <source>%1 places where yarns overlap</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>At %1 places a yarn may have passed another</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>%1 stitches lie so that their topology cannot be read off the shape</source>
-        <translation type="unfinished" />
+        <translation>%1 Stellen, an denen Fäden einander durchdringen</translation>
     </message>
     <message>
         <source>Stop the yarn</source>
-        <translation type="unfinished" />
+        <translation>Garn anhalten</translation>
     </message>
     <message>
         <source>Go on as yarn</source>
-        <translation type="unfinished" />
+        <translation>Als Garn weiter</translation>
     </message>
     <message>
         <source>Settle as yarn</source>
-        <translation type="unfinished" />
+        <translation>Als Garn entspannen</translation>
     </message>
     <message>
         <source>Settle the whole fabric as real yarn, with thickness, bending and friction; some seconds for a thousand stitches</source>
-        <translation type="unfinished" />
+        <translation>Entspannt das ganze Gestrick als wirkliches Garn, mit Dicke, Biegung und Reibung; einige Sekunden für tausend Maschen</translation>
     </message>
     <message>
         <source>no twist</source>
-        <translation type="unfinished" />
+        <translation>keine Drehung</translation>
     </message>
     <message>
         <source>%1/m %2</source>
-        <translation type="unfinished" />
+        <translation>%1/m %2</translation>
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished">%1: %2 {1,?}</translation>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>Linear density</source>
-        <translation type="unfinished" />
+        <translation>Feinheit</translation>
     </message>
     <message>
         <source>%1 tex</source>
-        <translation type="unfinished" />
+        <translation>%1 tex</translation>
     </message>
     <message>
         <source>Count</source>
-        <translation type="unfinished" />
+        <translation>Nummer</translation>
     </message>
     <message>
         <source>Nm %1 · Ne %2</source>
-        <translation type="unfinished" />
+        <translation>Nm %1 · Ne %2</translation>
     </message>
     <message>
         <source>Outer diameter</source>
-        <translation type="unfinished" />
+        <translation>Außendurchmesser</translation>
     </message>
     <message>
         <source>Core diameter</source>
-        <translation type="unfinished" />
+        <translation>Kerndurchmesser</translation>
     </message>
     <message>
         <source>EA, stretching</source>
-        <translation type="unfinished" />
+        <translation>EA, Dehnung</translation>
     </message>
     <message>
         <source>EI, bending</source>
-        <translation type="unfinished" />
+        <translation>EI, Biegung</translation>
     </message>
     <message>
         <source>Friction</source>
-        <translation type="unfinished" />
+        <translation>Reibung</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished" />
+        <translation>Farbe</translation>
     </message>
     <message>
         <source>Surface</source>
-        <translation type="unfinished" />
+        <translation>Oberfläche</translation>
     </message>
     <message>
         <source>Plies and twist</source>
-        <translation type="unfinished" />
+        <translation>Zwirnung und Drehung</translation>
+    </message>
+    <message>
+        <source>Two together, leaning right; the hole beside it is an eyelet</source>
+        <translation>Zwei zusammen, nach rechts geneigt; daneben bleibt ein Loch</translation>
+    </message>
+    <message>
+        <source>Two together, leaning left; the hole beside it is an eyelet</source>
+        <translation>Zwei zusammen, nach links geneigt; daneben bleibt ein Loch</translation>
+    </message>
+    <message>
+        <source>Cable: loops change places; the upper line lies in front</source>
+        <translation>Zopf: Schleifen tauschen die Plätze; die obere Linie liegt vorn</translation>
+    </message>
+    <message>
+        <source>Name of the module</source>
+        <translation>Name des Moduls</translation>
+    </message>
+    <message>
+        <source>Save as a module</source>
+        <translation>Als Modul speichern</translation>
+    </message>
+    <message>
+        <source>Rename the module</source>
+        <translation>Modul umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete the module</source>
+        <translation>Modul löschen</translation>
+    </message>
+    <message>
+        <source>Delete the module %1 for good?</source>
+        <translation>Modul %1 endgültig löschen?</translation>
+    </message>
+    <message>
+        <source>Course %1</source>
+        <translation>Reihe %1</translation>
+    </message>
+    <message>
+        <source>carrier %1 to the left</source>
+        <translation>Fadenführer %1 nach links</translation>
+    </message>
+    <message>
+        <source>carrier %1 to the right</source>
+        <translation>Fadenführer %1 nach rechts</translation>
+    </message>
+    <message>
+        <source>carrier %1</source>
+        <translation>Fadenführer %1</translation>
+    </message>
+    <message>
+        <source>stitch size %1</source>
+        <translation>Maschengröße %1</translation>
+    </message>
+    <message>
+        <source>racking %1</source>
+        <translation>Versatz %1</translation>
+    </message>
+    <message>
+        <source>Loop that was dropped</source>
+        <translation>Abgeworfene Schleife</translation>
+    </message>
+    <message>
+        <source>Stitch through several loops</source>
+        <translation>Masche durch mehrere Schleifen</translation>
+    </message>
+    <message>
+        <source>Loop goes to the right</source>
+        <translation>Schleife wandert nach rechts</translation>
+    </message>
+    <message>
+        <source>Loop goes to the left</source>
+        <translation>Schleife wandert nach links</translation>
+    </message>
+    <message>
+        <source>Loop goes to the front bed</source>
+        <translation>Schleife geht aufs vordere Bett</translation>
+    </message>
+    <message>
+        <source>Loop goes to the rear bed</source>
+        <translation>Schleife geht aufs hintere Bett</translation>
+    </message>
+    <message>
+        <source>Loop on an empty needle, rear bed</source>
+        <translation>Schleife auf leerer Nadel, hinteres Bett</translation>
+    </message>
+    <message>
+        <source>Loop on an empty needle, front bed</source>
+        <translation>Schleife auf leerer Nadel, vorderes Bett</translation>
+    </message>
+    <message>
+        <source>Stitch on the rear bed (purl)</source>
+        <translation>Masche auf dem hinteren Bett (links)</translation>
+    </message>
+    <message>
+        <source>Stitch on the front bed (knit)</source>
+        <translation>Masche auf dem vorderen Bett (rechts)</translation>
+    </message>
+    <message>
+        <source>Tuck on the rear bed</source>
+        <translation>Fang auf dem hinteren Bett</translation>
+    </message>
+    <message>
+        <source>Tuck on the front bed</source>
+        <translation>Fang auf dem vorderen Bett</translation>
+    </message>
+    <message>
+        <source>Split: stitch and loop on the other bed</source>
+        <translation>Splitten: Masche, und Schleife aufs andere Bett</translation>
+    </message>
+    <message>
+        <source>a loose end</source>
+        <translation>einem losen Ende</translation>
+    </message>
+    <message>
+        <source>%1 in course %2</source>
+        <translation>%1 in Reihe %2</translation>
+    </message>
+    <message>
+        <source>No yarn went through another on the way</source>
+        <translation>Kein Faden ging unterwegs durch einen anderen</translation>
+    </message>
+    <message>
+        <source>%1 times yarn went through yarn, first at %2 and %3</source>
+        <translation>%1-mal ging Faden durch Faden, zuerst bei %2 und %3</translation>
+    </message>
+    <message>
+        <source>Knit on the front bed, tuck on the rear bed</source>
+        <translation>Rechte Masche vorn, Fang auf dem hinteren Bett</translation>
+    </message>
+    <message>
+        <source>Tuck on the front bed, knit on the rear bed</source>
+        <translation>Fang auf dem vorderen Bett, Masche hinten</translation>
+    </message>
+    <message>
+        <source>Tuck on both beds</source>
+        <translation>Fang auf beiden Betten</translation>
+    </message>
+    <message>
+        <source>Miss on the rear bed</source>
+        <translation>Auslassen auf dem hinteren Bett</translation>
+    </message>
+    <message>
+        <source>Drop: the loops of the needle fall off before the course</source>
+        <translation>Abwerfen: die Maschen der Nadel fallen vor der Reihe ab</translation>
     </message>
 </context>
 <context>
     <name>knittsim::ui::AboutDialog</name>
     <message>
         <source>KnittSim %1</source>
-        <translation type="unfinished" />
+        <translation>KnittSim %1</translation>
     </message>
     <message>
         <source>Qt %1 (built with %2)</source>
-        <translation type="unfinished" />
+        <translation>Qt %1 (gebaut mit %2)</translation>
     </message>
     <message>
         <source>OpenGL: %1</source>
-        <translation type="unfinished" />
+        <translation>OpenGL: %1</translation>
     </message>
     <message>
         <source>not in use</source>
-        <translation type="unfinished" />
+        <translation>nicht in Gebrauch</translation>
     </message>
     <message>
         <source>System: %1, %2</source>
-        <translation type="unfinished" />
+        <translation>System: %1, %2</translation>
     </message>
     <message>
         <source>About KnittSim</source>
-        <translation type="unfinished" />
+        <translation>Über KnittSim</translation>
     </message>
     <message>
         <source>Turns knitting-machine programs into the fabric they knit, after the method of Meißner and Eberhardt, “The Art of Knitted Fabrics” (1998).
 
 MIT licence. Copyright the KnittSim authors.</source>
-        <translation type="unfinished" />
+        <translation>Macht aus Strickprogrammen das Gestrick, das sie stricken, nach dem Verfahren von Meißner und Eberhardt, „The Art of Knitted Fabrics“ (1998).
+
+MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished" />
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Copies these lines for a report</source>
-        <translation type="unfinished" />
+        <translation>Kopiert diese Zeilen für einen Bericht</translation>
     </message>
 </context>
 <context>
     <name>knittsim::ui::Banner</name>
     <message>
         <source>Close this message</source>
-        <translation type="unfinished" />
+        <translation>Diese Meldung schließen</translation>
     </message>
 </context>
 <context>
     <name>knittsim::ui::CarrierModel</name>
     <message>
         <source>Carrier %1: %2</source>
-        <translation type="unfinished" />
+        <translation>Fadenführer %1: %2</translation>
     </message>
     <message>
         <source>Carrier %1. Drop a yarn of the library here; the fabric goes on from its shape.</source>
-        <translation type="unfinished" />
+        <translation>Fadenführer %1. Zieh ein Garn der Bibliothek hierher; das Gestrick macht mit seiner Form weiter.</translation>
     </message>
 </context>
 <context>
     <name>knittsim::ui::CataloguePopup</name>
     <message>
         <source>texture</source>
-        <translation type="unfinished" />
+        <translation>Struktur</translation>
     </message>
     <message>
         <source>cable</source>
-        <translation type="unfinished" />
+        <translation>Zopf</translation>
     </message>
     <message>
         <source>lace</source>
-        <translation type="unfinished" />
+        <translation>Spitze</translation>
     </message>
     <message>
         <source>tuck and slip</source>
-        <translation type="unfinished" />
+        <translation>Fang und Hebemasche</translation>
     </message>
     <message>
         <source>shaping</source>
-        <translation type="unfinished" />
+        <translation>Formen</translation>
     </message>
     <message>
         <source>Stitch catalogue</source>
-        <translation type="unfinished" />
+        <translation>Maschenkatalog</translation>
     </message>
     <message>
         <source>%1 (%2), %3 wales x %4 courses</source>
-        <translation type="unfinished" />
+        <translation>%1 (%2), %3 Stäbchen x %4 Reihen</translation>
+    </message>
+    <message>
+        <source>your own</source>
+        <translation>eigene</translation>
+    </message>
+    <message>
+        <source>&amp;Rename your module…</source>
+        <translation>Eigenes Modul &amp;umbenennen…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete your module…</source>
+        <translation>Eigenes Modul &amp;löschen…</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::ChartArea</name>
+    <message>
+        <source>Yarn</source>
+        <translation>Garn</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Rack</source>
+        <translation>Versatz</translation>
     </message>
 </context>
 <context>
     <name>knittsim::ui::ChartCanvas</name>
     <message>
         <source>Chart</source>
-        <translation type="unfinished" />
+        <translation>Patrone</translation>
     </message>
     <message>
         <source>Wales across, courses up. The left button draws, the right one picks stitch and yarn.</source>
-        <translation type="unfinished" />
+        <translation>Stäbchen quer, Reihen nach oben. Die linke Taste zeichnet, die rechte übernimmt Masche und Garn.</translation>
     </message>
     <message>
         <source>cut</source>
-        <translation type="unfinished" />
+        <translation>ausschneiden</translation>
     </message>
     <message>
         <source>paste</source>
-        <translation type="unfinished" />
+        <translation>einfügen</translation>
     </message>
     <message>
         <source>clear</source>
-        <translation type="unfinished" />
+        <translation>leeren</translation>
     </message>
     <message>
         <source>mirror</source>
-        <translation type="unfinished" />
+        <translation>spiegeln</translation>
     </message>
     <message>
         <source>rotate</source>
-        <translation type="unfinished" />
+        <translation>drehen</translation>
     </message>
     <message>
         <source>repeat</source>
-        <translation type="unfinished" />
+        <translation>wiederholen</translation>
     </message>
     <message>
         <source>insert courses</source>
-        <translation type="unfinished" />
+        <translation>Reihen einfügen</translation>
     </message>
     <message>
         <source>remove courses</source>
-        <translation type="unfinished" />
+        <translation>Reihen entfernen</translation>
     </message>
     <message>
         <source>insert wales</source>
-        <translation type="unfinished" />
+        <translation>Stäbchen einfügen</translation>
     </message>
     <message>
         <source>remove wales</source>
-        <translation type="unfinished" />
+        <translation>Stäbchen entfernen</translation>
     </message>
     <message>
         <source>move</source>
-        <translation type="unfinished" />
+        <translation>verschieben</translation>
     </message>
     <message>
         <source>Needle %1, course %2: %3</source>
@@ -992,117 +1083,407 @@ MIT licence. Copyright the KnittSim authors.</source>
     </message>
     <message>
         <source>, carrier %1</source>
-        <translation type="unfinished" />
+        <translation>, Fadenführer %1</translation>
     </message>
     <message>
         <source>; before it the loop goes to wale %1</source>
-        <translation type="unfinished" />
+        <translation>; davor wandert die Schleife zu Stäbchen %1</translation>
+    </message>
+    <message>
+        <source>Carrier %1</source>
+        <translation>Fadenführer %1</translation>
+    </message>
+    <message>
+        <source>yarn of the course</source>
+        <translation>Garn der Reihe</translation>
+    </message>
+    <message>
+        <source>Only a chart on both beds is racked; on a single bed loops are moved by cables.</source>
+        <translation>Nur eine Patrone auf beiden Betten wird versetzt; auf einem Bett wandern Schleifen durch Zöpfe.</translation>
+    </message>
+    <message>
+        <source>racking</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>stitch size</source>
+        <translation>Maschengröße</translation>
+    </message>
+    <message>
+        <source>Racking of the course</source>
+        <translation>Versatz der Reihe</translation>
+    </message>
+    <message>
+        <source>Stitch size from this course on</source>
+        <translation>Maschengröße ab dieser Reihe</translation>
+    </message>
+    <message>
+        <source>Colours of all courses</source>
+        <translation>Farben aller Reihen</translation>
+    </message>
+    <message>
+        <source>Colours of the selected courses</source>
+        <translation>Farben der ausgewählten Reihen</translation>
+    </message>
+    <message>
+        <source>A chart with cables or lace is knitted on one bed: its colours cannot have a back.</source>
+        <translation>Ein Muster mit Zöpfen oder Lochmuster wird auf einem Bett gestrickt: seine Farben können keine Rückseite haben.</translation>
+    </message>
+    <message>
+        <source>knitting of the colours</source>
+        <translation>Strickart der Farben</translation>
+    </message>
+    <message>
+        <source>both beds</source>
+        <translation>beide Betten</translation>
+    </message>
+    <message>
+        <source>one bed</source>
+        <translation>ein Bett</translation>
+    </message>
+    <message>
+        <source>Moved loops, as of cables and lace, need a chart on one bed.</source>
+        <translation>Umgehängte Maschen, wie bei Zöpfen und Lochmustern, brauchen ein Muster auf einem Bett.</translation>
     </message>
 </context>
 <context>
     <name>knittsim::ui::ChartEditor</name>
     <message>
         <source>The fabric follows…</source>
-        <translation type="unfinished" />
+        <translation>Das Gestrick folgt…</translation>
     </message>
     <message>
         <source>The fabric is out of date: %1</source>
-        <translation type="unfinished" />
+        <translation>Das Gestrick ist veraltet: %1</translation>
     </message>
     <message>
         <source>Select</source>
-        <translation type="unfinished" />
+        <translation>Auswählen</translation>
     </message>
     <message>
         <source>Pencil</source>
-        <translation type="unfinished" />
+        <translation>Stift</translation>
     </message>
     <message>
         <source>Line</source>
-        <translation type="unfinished" />
+        <translation>Linie</translation>
     </message>
     <message>
         <source>Rectangle</source>
-        <translation type="unfinished" />
+        <translation>Rechteck</translation>
     </message>
     <message>
         <source>Fill</source>
-        <translation type="unfinished" />
+        <translation>Füllen</translation>
     </message>
     <message>
         <source>Stitch catalogue</source>
-        <translation type="unfinished" />
+        <translation>Maschenkatalog</translation>
     </message>
     <message>
         <source>Cu&amp;t</source>
-        <translation type="unfinished" />
+        <translation>&amp;Ausschneiden</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation type="unfinished" />
+        <translation>&amp;Kopieren</translation>
     </message>
     <message>
         <source>&amp;Paste</source>
-        <translation type="unfinished" />
+        <translation>&amp;Einfügen</translation>
     </message>
     <message>
         <source>C&amp;lear</source>
-        <translation type="unfinished" />
+        <translation>&amp;Leeren</translation>
     </message>
     <message>
         <source>Select &amp;all</source>
-        <translation type="unfinished" />
+        <translation>A&amp;lles auswählen</translation>
     </message>
     <message>
         <source>&amp;Mirror left and right</source>
-        <translation type="unfinished" />
+        <translation>Links und rechts &amp;spiegeln</translation>
     </message>
     <message>
         <source>Mirror &amp;up and down</source>
-        <translation type="unfinished" />
+        <translation>&amp;Oben und unten spiegeln</translation>
     </message>
     <message>
         <source>&amp;Rotate a square selection</source>
-        <translation type="unfinished" />
+        <translation>Quadratische Auswahl &amp;drehen</translation>
     </message>
     <message>
         <source>R&amp;epeat the selection over the chart</source>
-        <translation type="unfinished" />
+        <translation>Auswahl über die Patrone &amp;wiederholen</translation>
     </message>
     <message>
         <source>&amp;Insert courses</source>
-        <translation type="unfinished" />
+        <translation>&amp;Reihen einfügen</translation>
     </message>
     <message>
         <source>Remo&amp;ve courses</source>
-        <translation type="unfinished" />
+        <translation>Reihen ent&amp;fernen</translation>
     </message>
     <message>
         <source>Insert &amp;wales</source>
-        <translation type="unfinished" />
+        <translation>S&amp;täbchen einfügen</translation>
     </message>
     <message>
         <source>Remove wale&amp;s</source>
-        <translation type="unfinished" />
+        <translation>Stä&amp;bchen entfernen</translation>
+    </message>
+    <message>
+        <source>A click lays down %1, its lower left corner first; a drag repeats it.</source>
+        <translation>Ein Klick legt %1 ab, die Ecke links unten zuerst; Ziehen wiederholt es.</translation>
+    </message>
+    <message>
+        <source>Save the selection as a m&amp;odule…</source>
+        <translation>Auswahl als M&amp;odul speichern…</translation>
+    </message>
+    <message>
+        <source>Select the stitches of the module first.</source>
+        <translation>Wähle zuerst die Maschen des Moduls aus.</translation>
+    </message>
+    <message>
+        <source>The module stands at the end of the stitch catalogue.</source>
+        <translation>Das Modul steht am Ende des Maschenkatalogs.</translation>
+    </message>
+    <message>
+        <source>&amp;Yarn of the course…</source>
+        <translation>&amp;Garn der Reihe…</translation>
+    </message>
+    <message>
+        <source>Stitch si&amp;ze of the course…</source>
+        <translation>Maschen&amp;größe der Reihe…</translation>
+    </message>
+    <message>
+        <source>Rackin&amp;g of the course…</source>
+        <translation>&amp;Versatz der Reihe…</translation>
+    </message>
+    <message>
+        <source>&amp;Bind off above the chart</source>
+        <translation>Über dem Muster a&amp;bketten</translation>
+    </message>
+    <message>
+        <source>bind off</source>
+        <translation>abketten</translation>
+    </message>
+    <message>
+        <source>Only a chart on one bed, with two loops or more, can be bound off.</source>
+        <translation>Nur ein Muster auf einem Bett mit mindestens zwei Maschen lässt sich abketten.</translation>
+    </message>
+    <message>
+        <source>&amp;Knitting of the colours…</source>
+        <translation>Stric&amp;kart der Farben …</translation>
+    </message>
+    <message>
+        <source>How the colours are knitted: floats, intarsia, a birdseye or ladder back (%1)</source>
+        <translation>Wie die Farben gestrickt werden: Flottungen, Intarsie, Pfauenaugen- oder Leiter-Rückseite (%1)</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Work on bot&amp;h beds</source>
+        <translation>Auf &amp;beiden Betten arbeiten</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::ChartLook</name>
+    <message>
+        <source>Stitch faces</source>
+        <translation>Maschenbilder</translation>
+    </message>
+    <message>
+        <source>Craft symbols</source>
+        <translation>Handstrickzeichen</translation>
+    </message>
+    <message>
+        <source>Loop notation</source>
+        <translation>Maschenlaufbild</translation>
+    </message>
+    <message>
+        <source>Course numbers</source>
+        <translation>Reihennummern</translation>
+    </message>
+    <message>
+        <source>Carriage direction</source>
+        <translation>Schlittenrichtung</translation>
+    </message>
+    <message>
+        <source>Carriers</source>
+        <translation>Fadenführer</translation>
+    </message>
+    <message>
+        <source>Stitch size</source>
+        <translation>Maschengröße</translation>
+    </message>
+    <message>
+        <source>Racking</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Needle numbers</source>
+        <translation>Nadelnummern</translation>
     </message>
 </context>
 <context>
     <name>knittsim::ui::ChartStroke</name>
     <message>
         <source>pencil</source>
-        <translation type="unfinished" />
+        <translation>Stift</translation>
     </message>
     <message>
         <source>line</source>
-        <translation type="unfinished" />
+        <translation>Linie</translation>
     </message>
     <message>
         <source>rectangle</source>
-        <translation type="unfinished" />
+        <translation>Rechteck</translation>
     </message>
     <message>
         <source>fill</source>
-        <translation type="unfinished" />
+        <translation>Füllung</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::ColourMethodMenu</name>
+    <message>
+        <source>&amp;Float jacquard</source>
+        <translation>&amp;Flottierender Jacquard</translation>
+    </message>
+    <message>
+        <source>Yarns that do not show float behind the stitches</source>
+        <translation>Fäden, die nicht zu sehen sind, flotten hinter den Maschen</translation>
+    </message>
+    <message>
+        <source>&amp;Intarsia</source>
+        <translation>&amp;Intarsie</translation>
+    </message>
+    <message>
+        <source>Every yarn stays in its own zone and is linked to the next one by a tuck</source>
+        <translation>Jeder Faden bleibt in seinem Feld und ist mit dem nächsten durch einen Fang verbunden</translation>
+    </message>
+    <message>
+        <source>&amp;Birdseye back</source>
+        <translation>&amp;Pfauenaugen-Rückseite</translation>
+    </message>
+    <message>
+        <source>On both beds: every yarn knits every second needle of the rear bed; no floats, a dotted back</source>
+        <translation>Auf beiden Betten: jeder Faden strickt jede zweite Nadel des hinteren Betts; keine Flottungen, getupfte Rückseite</translation>
+    </message>
+    <message>
+        <source>&amp;Ladder back</source>
+        <translation>&amp;Leiter-Rückseite</translation>
+    </message>
+    <message>
+        <source>On both beds: every fourth needle of the rear bed knits a yarn that does not show there; a light back with short floats</source>
+        <translation>Auf beiden Betten: jede vierte Nadel des hinteren Betts strickt einen Faden, der dort nicht zu sehen ist; leichte Rückseite mit kurzen Flottungen</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::ColourwayBar</name>
+    <message>
+        <source>Colourway %1</source>
+        <translation>Farbstellung %1</translation>
+    </message>
+    <message>
+        <source>Colourway</source>
+        <translation>Farbstellung</translation>
+    </message>
+    <message>
+        <source>Sets of yarns for the carriers, saved with the chart</source>
+        <translation>Garnsätze für die Fadenführer, mit der Patrone gespeichert</translation>
+    </message>
+    <message>
+        <source>Add, rename and delete colourways</source>
+        <translation>Farbstellungen hinzufügen, umbenennen und löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate this one…</source>
+        <translation>Diese &amp;verdoppeln…</translation>
+    </message>
+    <message>
+        <source>New colourway</source>
+        <translation>Neue Farbstellung</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Rename the colourway</source>
+        <translation>Farbstellung umbenennen</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Name:</translation>
+    </message>
+    <message>
+        <source>colourway %1</source>
+        <translation>Farbstellung %1</translation>
+    </message>
+    <message>
+        <source>new colourway</source>
+        <translation>neue Farbstellung</translation>
+    </message>
+    <message>
+        <source>name of the colourway</source>
+        <translation>Name der Farbstellung</translation>
+    </message>
+    <message>
+        <source>delete a colourway</source>
+        <translation>Farbstellung löschen</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::Comparison</name>
+    <message>
+        <source>settled as yarn</source>
+        <translation>als Garn entspannt</translation>
+    </message>
+    <message>
+        <source>%1%2 × %3%4 mm</source>
+        <translation>%1%2 × %3%4 mm</translation>
+    </message>
+    <message>
+        <source>
+%1 wales, %2 courses in 10 cm</source>
+        <translation>
+%1 Stäbchen, %2 Reihen auf 10 cm</translation>
+    </message>
+    <message>
+        <source>Settles this side as yarn, or stops it</source>
+        <translation>Entspannt diese Seite als Garn, oder hält sie an</translation>
+    </message>
+    <message>
+        <source>Links the cameras (J)</source>
+        <translation>Verbindet die Kameras (J)</translation>
+    </message>
+    <message>
+        <source>Closes the comparison (Escape)</source>
+        <translation>Schließt den Vergleich (Esc)</translation>
+    </message>
+    <message>
+        <source>The fabric that is compared</source>
+        <translation>Das Gestrick, mit dem verglichen wird</translation>
+    </message>
+    <message>
+        <source>Kept: %1, %2</source>
+        <translation>Behalten: %1, %2</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened.</source>
+        <translation>%1 konnte nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
     </message>
 </context>
 <context>
@@ -1113,69 +1494,69 @@ MIT licence. Copyright the KnittSim authors.</source>
     </message>
     <message>
         <source>Double click or Enter shows the place (F8 next, Shift+F8 previous)</source>
-        <translation type="unfinished" />
+        <translation>Doppelklick oder Eingabe zeigt die Stelle (F8 nächste, Umschalt+F8 vorige)</translation>
     </message>
     <message>
         <source>turned off: %1</source>
-        <translation type="unfinished" />
+        <translation>abgeschaltet: %1</translation>
     </message>
     <message>
         <source>Show the &amp;place</source>
-        <translation type="unfinished" />
+        <translation>&amp;Stelle zeigen</translation>
     </message>
     <message>
         <source>&amp;Copy as text</source>
-        <translation type="unfinished" />
+        <translation>Als Text &amp;kopieren</translation>
     </message>
     <message>
         <source>Turn rule %1 &amp;on again</source>
-        <translation type="unfinished" />
+        <translation>Regel %1 wieder &amp;einschalten</translation>
     </message>
     <message>
         <source>Turn &amp;off this rule…</source>
-        <translation type="unfinished" />
+        <translation>Diese Regel &amp;abschalten…</translation>
     </message>
 </context>
 <context>
     <name>knittsim::ui::DiagnosticsModel</name>
     <message>
         <source>Off</source>
-        <translation type="unfinished" />
+        <translation>Aus</translation>
     </message>
     <message>
         <source>Turned off: %1.</source>
-        <translation type="unfinished" />
+        <translation>Abgeschaltet: %1.</translation>
     </message>
     <message>
         <source>Problem</source>
-        <translation type="unfinished" />
+        <translation>Problem</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished" />
+        <translation>Stelle</translation>
     </message>
     <message>
         <source>What is wrong and what helps</source>
-        <translation type="unfinished" />
+        <translation>Was falsch ist und was hilft</translation>
     </message>
 </context>
 <context>
     <name>knittsim::ui::DiagnosticsPanel</name>
     <message>
         <source>1 error</source>
-        <translation type="unfinished" />
+        <translation>1 Fehler</translation>
     </message>
     <message>
         <source>%1 errors</source>
-        <translation type="unfinished" />
+        <translation>%1 Fehler</translation>
     </message>
     <message>
         <source>1 warning</source>
-        <translation type="unfinished" />
+        <translation>1 Warnung</translation>
     </message>
     <message>
         <source>%1 warnings</source>
-        <translation type="unfinished" />
+        <translation>%1 Warnungen</translation>
     </message>
     <message>
         <source>1 note</source>
@@ -1187,173 +1568,245 @@ MIT licence. Copyright the KnittSim authors.</source>
     </message>
     <message>
         <source>Shows or hides these problems</source>
-        <translation type="unfinished" />
+        <translation>Zeigt oder verbirgt diese Probleme</translation>
     </message>
     <message>
         <source>Rule</source>
-        <translation type="unfinished" />
+        <translation>Regel</translation>
     </message>
     <message>
         <source>Shows the problems of one rule only</source>
-        <translation type="unfinished" />
+        <translation>Zeigt nur die Probleme einer Regel</translation>
     </message>
     <message>
         <source>Shows the problems of rules that are turned off, with the reason</source>
-        <translation type="unfinished" />
+        <translation>Zeigt die Probleme abgeschalteter Regeln, mit dem Grund</translation>
     </message>
     <message>
         <source>Export report…</source>
-        <translation type="unfinished" />
+        <translation>Bericht ausgeben…</translation>
     </message>
     <message>
         <source>Writes machine, sizes, yarn, time and all problems to a file (Ctrl+Shift+E)</source>
-        <translation type="unfinished" />
+        <translation>Schreibt Maschine, Maße, Garn, Zeit und alle Probleme in eine Datei (Strg+Umschalt+E)</translation>
     </message>
     <message>
         <source>%1 turned off</source>
-        <translation type="unfinished" />
+        <translation>%1 abgeschaltet</translation>
     </message>
     <message>
         <source>Turn off a rule</source>
-        <translation type="unfinished" />
+        <translation>Regel abschalten</translation>
     </message>
     <message>
         <source>%1 will not count in any file. Why not? The reason stays with the problems.</source>
-        <translation type="unfinished" />
+        <translation>%1 zählt dann in keiner Datei. Warum nicht? Der Grund bleibt bei den Problemen stehen.</translation>
     </message>
     <message>
         <source>Turn off</source>
-        <translation type="unfinished" />
+        <translation>Abschalten</translation>
     </message>
     <message>
         <source>All rules</source>
-        <translation type="unfinished" />
+        <translation>Alle Regeln</translation>
     </message>
 </context>
 <context>
     <name>knittsim::ui::EnergyPlot</name>
     <message>
         <source>Energies and residual</source>
-        <translation type="unfinished" />
+        <translation>Energien und Residuum</translation>
     </message>
     <message>
         <source>Kinetic energy Ekin, spring energy V, Lagrangian L = Ekin − V, and the residual: the norm of the forces relative to the start</source>
-        <translation type="unfinished" />
+        <translation>Bewegungsenergie Ekin, Federenergie V, Lagrangefunktion L = Ekin − V und das Residuum: die Norm der Kräfte, bezogen auf den Anfang</translation>
     </message>
     <message>
         <source>Ekin</source>
-        <translation type="unfinished" />
+        <translation>Ekin</translation>
     </message>
     <message>
         <source>V</source>
-        <translation type="unfinished" />
+        <translation>V</translation>
     </message>
     <message>
         <source>L</source>
-        <translation type="unfinished" />
+        <translation>L</translation>
     </message>
     <message>
         <source>Residual</source>
-        <translation type="unfinished" />
+        <translation>Residuum</translation>
     </message>
     <message>
         <source>Energies appear when the fabric settles.</source>
-        <translation type="unfinished" />
+        <translation>Energien erscheinen, wenn sich das Gestrick entspannt.</translation>
     </message>
 </context>
 <context>
     <name>knittsim::ui::ExportDialog</name>
     <message>
         <source> px</source>
-        <translation type="unfinished" />
+        <translation> px</translation>
     </message>
     <message>
         <source>&amp;Browse…</source>
-        <translation type="unfinished" />
+        <translation>&amp;Durchsuchen…</translation>
     </message>
     <message>
         <source>Width of the picture</source>
-        <translation type="unfinished" />
+        <translation>Breite des Bildes</translation>
     </message>
     <message>
         <source>Height of the picture</source>
-        <translation type="unfinished" />
+        <translation>Höhe des Bildes</translation>
     </message>
     <message>
         <source>&amp;Transparent background</source>
-        <translation type="unfinished" />
+        <translation>&amp;Durchsichtiger Hintergrund</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished" />
+        <translation>Ausgeben</translation>
     </message>
     <message>
         <source>What is written</source>
-        <translation type="unfinished" />
+        <translation>Was geschrieben wird</translation>
     </message>
     <message>
         <source>File to write; one that is there is replaced when you export twice</source>
-        <translation type="unfinished" />
+        <translation>Datei, die geschrieben wird; eine vorhandene wird ersetzt, wenn zweimal ausgegeben wird</translation>
     </message>
     <message>
         <source>Choose a folder and a name</source>
-        <translation type="unfinished" />
+        <translation>Ordner und Namen wählen</translation>
     </message>
     <message>
         <source>From where the fabric is shown</source>
-        <translation type="unfinished" />
+        <translation>Von wo das Gestrick gezeigt wird</translation>
     </message>
     <message>
         <source>Leaves out the background, for laying the picture over others</source>
-        <translation type="unfinished" />
+        <translation>Lässt den Hintergrund weg, um das Bild über andere zu legen</translation>
     </message>
     <message>
         <source>As seen now</source>
-        <translation type="unfinished" />
+        <translation>Wie jetzt zu sehen</translation>
     </message>
     <message>
         <source>Technical face</source>
-        <translation type="unfinished" />
+        <translation>Rechte Warenseite</translation>
     </message>
     <message>
         <source>Technical back</source>
-        <translation type="unfinished" />
+        <translation>Linke Warenseite</translation>
     </message>
     <message>
         <source>&amp;Format:</source>
-        <translation type="unfinished" />
+        <translation>&amp;Format:</translation>
     </message>
     <message>
         <source>&amp;Side:</source>
-        <translation type="unfinished" />
+        <translation>&amp;Seite:</translation>
     </message>
     <message>
         <source>Si&amp;ze:</source>
-        <translation type="unfinished" />
+        <translation>&amp;Größe:</translation>
     </message>
     <message>
         <source>Fi&amp;le:</source>
-        <translation type="unfinished" />
+        <translation>Da&amp;tei:</translation>
     </message>
     <message>
         <source>&amp;Export</source>
-        <translation type="unfinished" />
+        <translation>&amp;Ausgeben</translation>
     </message>
     <message>
         <source>Writes the file (Enter)</source>
-        <translation type="unfinished" />
+        <translation>Schreibt die Datei (Eingabe)</translation>
     </message>
     <message>
         <source>Stops writing; nothing is left of the file (Esc)</source>
-        <translation type="unfinished" />
+        <translation>Bricht das Schreiben ab; von der Datei bleibt nichts (Esc)</translation>
     </message>
     <message>
         <source>Export as</source>
-        <translation type="unfinished" />
+        <translation>Ausgeben als</translation>
     </message>
     <message>
         <source>This file exists. Export once more to replace it, or choose another name.</source>
-        <translation type="unfinished" />
+        <translation>Diese Datei gibt es schon. Gib noch einmal aus, um sie zu ersetzen, oder wähle einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Picture (PNG)</source>
+        <translation>Bild (PNG)</translation>
+    </message>
+    <message>
+        <source>What you see, at any size.</source>
+        <translation>Was zu sehen ist, in jeder Größe.</translation>
+    </message>
+    <message>
+        <source>Drawing in three strokes (SVG)</source>
+        <translation>Zeichnung in drei Strichen (SVG)</translation>
+    </message>
+    <message>
+        <source>Lines in millimetres; at every crossing the front yarn lies on top.</source>
+        <translation>Linien in Millimetern; an jeder Kreuzung liegt der vordere Faden oben.</translation>
+    </message>
+    <message>
+        <source>Geometry, glTF binary (GLB)</source>
+        <translation>Geometrie, glTF binär (GLB)</translation>
+    </message>
+    <message>
+        <source>A closed tube for each yarn, in metres, with its colour. One file.</source>
+        <translation>Ein geschlossener Schlauch für jeden Faden, in Metern, mit seiner Farbe. Eine Datei.</translation>
+    </message>
+    <message>
+        <source>Geometry, glTF text (GLTF)</source>
+        <translation>Geometrie, glTF als Text (GLTF)</translation>
+    </message>
+    <message>
+        <source>As the binary form, a third larger.</source>
+        <translation>Wie die binäre Form, um ein Drittel größer.</translation>
+    </message>
+    <message>
+        <source>Geometry, Wavefront (OBJ)</source>
+        <translation>Geometrie, Wavefront (OBJ)</translation>
+    </message>
+    <message>
+        <source>A closed tube for each yarn, in millimetres; colours in an MTL file beside it.</source>
+        <translation>Ein geschlossener Schlauch für jeden Faden, in Millimetern; Farben in einer MTL-Datei daneben.</translation>
+    </message>
+    <message>
+        <source>Yarn curves (BCC)</source>
+        <translation>Fadenkurven (BCC)</translation>
+    </message>
+    <message>
+        <source>The middle of each yarn as a curve, in millimetres.</source>
+        <translation>Die Mitte jedes Fadens als Kurve, in Millimetern.</translation>
+    </message>
+    <message>
+        <source>Bonding points (CSV)</source>
+        <translation>Bindungspunkte (CSV)</translation>
+    </message>
+    <message>
+        <source>A line for each bonding point: yarn, role, needle, place in millimetres.</source>
+        <translation>Eine Zeile für jeden Bindungspunkt: Faden, Rolle, Nadel, Ort in Millimetern.</translation>
+    </message>
+    <message>
+        <source>Pictures of the settling (folder of PNG)</source>
+        <translation>Bilder des Entspannens (Ordner mit PNG)</translation>
+    </message>
+    <message>
+        <source>From the machine to rest, seen from one place: 0001.png, 0002.png, ...</source>
+        <translation>Von der Maschine bis zur Ruhe, von einem Ort gesehen: 0001.png, 0002.png, ...</translation>
+    </message>
+    <message>
+        <source>As shown: %1.</source>
+        <translation>Wie gezeigt: %1.</translation>
+    </message>
+    <message>
+        <source>What the section cuts away is written too.</source>
+        <translation>Was der Schnitt wegnimmt, wird mitgeschrieben.</translation>
     </message>
 </context>
 <context>
@@ -1364,35 +1817,51 @@ MIT licence. Copyright the KnittSim authors.</source>
     </message>
     <message>
         <source>The knitted fabric in three dimensions. Drag to turn it, drag with Shift to move it, turn the wheel to come nearer, click a stitch to select it.</source>
-        <translation type="unfinished" />
+        <translation>Das Gestrick in drei Dimensionen. Ziehen dreht es, Ziehen mit Umschalt verschiebt es, das Mausrad holt es näher, ein Klick wählt eine Masche.</translation>
     </message>
     <message>
         <source>No fabric yet</source>
-        <translation type="unfinished" />
+        <translation>Noch kein Gestrick</translation>
     </message>
     <message>
         <source>only yarn %1</source>
-        <translation type="unfinished" />
+        <translation>nur Faden %1</translation>
     </message>
     <message>
         <source>only course %1</source>
-        <translation type="unfinished" />
+        <translation>nur Reihe %1</translation>
     </message>
     <message>
         <source>OpenGL is switched off.</source>
-        <translation type="unfinished" />
+        <translation>OpenGL ist ausgeschaltet.</translation>
     </message>
     <message>
         <source>%1 The fabric is drawn flat.</source>
-        <translation type="unfinished" />
+        <translation>%1 Das Gestrick wird flach gezeichnet.</translation>
     </message>
     <message>
         <source>All of the fabric has run</source>
-        <translation type="unfinished" />
+        <translation>Das ganze Gestrick ist aufgelaufen</translation>
     </message>
     <message>
         <source>Stitch on needle %1, course %2</source>
-        <translation type="unfinished" />
+        <translation>Masche auf Nadel %1, Reihe %2</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm (%2 in)</source>
+        <translation>%1 mm (%2 in)</translation>
+    </message>
+    <message>
+        <source>%1 wales in 10 cm</source>
+        <translation>%1 Stäbchen auf 10 cm</translation>
+    </message>
+    <message>
+        <source>%1 courses in 10 cm</source>
+        <translation>%1 Reihen auf 10 cm</translation>
     </message>
 </context>
 <context>
@@ -1402,16 +1871,8 @@ MIT licence. Copyright the KnittSim authors.</source>
         <translation>KnittSim</translation>
     </message>
     <message>
-        <source>Open a machine program, drop one here, or begin with a sample.</source>
-        <translation>Öffne ein Strickprogramm, zieh eines hierher oder beginne mit einem Muster.</translation>
-    </message>
-    <message>
         <source>Open…</source>
         <translation>Öffnen…</translation>
-    </message>
-    <message>
-        <source>Open a machine program (Ctrl+O)</source>
-        <translation>Ein Strickprogramm öffnen (Strg+O)</translation>
     </message>
     <message>
         <source>Samples</source>
@@ -1421,12 +1882,32 @@ MIT licence. Copyright the KnittSim authors.</source>
         <source>Used last</source>
         <translation>Zuletzt benutzt</translation>
     </message>
+    <message>
+        <source>Draw a new chart, open a chart or a machine program, or begin with a sample.</source>
+        <translation>Zeichne eine neue Patrone, öffne eine Patrone oder ein Strickprogramm oder beginne mit einem Muster.</translation>
+    </message>
+    <message>
+        <source>New chart…</source>
+        <translation>Neue Patrone…</translation>
+    </message>
+    <message>
+        <source>Draw a chart of your own (Ctrl+N)</source>
+        <translation>Eine eigene Patrone zeichnen (Strg+N)</translation>
+    </message>
+    <message>
+        <source>Open a chart or a machine program (Ctrl+O)</source>
+        <translation>Eine Patrone oder ein Strickprogramm öffnen (Strg+O)</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::GlCanvas</name>
     <message>
         <source>The fabric is too large for this graphics driver.</source>
-        <translation type="unfinished" />
+        <translation>Das Gestrick ist zu groß für diesen Grafiktreiber.</translation>
+    </message>
+    <message>
+        <source>The graphics driver was reset.</source>
+        <translation>Der Grafiktreiber wurde neu gestartet.</translation>
     </message>
 </context>
 <context>
@@ -1455,90 +1936,105 @@ MIT licence. Copyright the KnittSim authors.</source>
     <name>knittsim::ui::HistoryCard</name>
     <message>
         <source>History of the bonding point</source>
-        <translation type="unfinished" />
+        <translation>Geschichte des Bindungspunkts</translation>
     </message>
     <message>
         <source>Close; H shows histories again</source>
-        <translation type="unfinished" />
+        <translation>Schließen; H zeigt wieder Geschichten</translation>
     </message>
     <message>
         <source>Close the history</source>
-        <translation type="unfinished" />
+        <translation>Geschichte schließen</translation>
     </message>
 </context>
 <context>
     <name>knittsim::ui::KeyDialog</name>
     <message>
         <source>Mouse</source>
-        <translation type="unfinished" />
+        <translation>Maus</translation>
     </message>
     <message>
         <source>Turn the fabric</source>
-        <translation type="unfinished" />
+        <translation>Gestrick drehen</translation>
     </message>
     <message>
         <source>left drag</source>
-        <translation type="unfinished" />
+        <translation>mit links ziehen</translation>
     </message>
     <message>
         <source>Move the fabric</source>
-        <translation type="unfinished" />
+        <translation>Gestrick verschieben</translation>
     </message>
     <message>
         <source>middle drag, or Shift and left drag</source>
-        <translation type="unfinished" />
+        <translation>mit der Mitte ziehen, oder mit Umschalt und links</translation>
     </message>
     <message>
         <source>Zoom at the cursor</source>
-        <translation type="unfinished" />
+        <translation>Am Mauszeiger vergrößern</translation>
     </message>
     <message>
         <source>wheel; in the pattern grid Ctrl and wheel</source>
-        <translation type="unfinished" />
+        <translation>Mausrad; in der Patrone Strg und Mausrad</translation>
     </message>
     <message>
         <source>Move the section</source>
-        <translation type="unfinished" />
+        <translation>Schnitt verschieben</translation>
     </message>
     <message>
         <source>Alt and wheel</source>
-        <translation type="unfinished" />
+        <translation>Alt und Mausrad</translation>
     </message>
     <message>
         <source>Select a stitch</source>
-        <translation type="unfinished" />
+        <translation>Masche wählen</translation>
     </message>
     <message>
         <source>click in fabric, grid or source</source>
-        <translation type="unfinished" />
+        <translation>Klick in Gestrick, Patrone oder Quelltext</translation>
     </message>
     <message>
         <source>Pull the yarn</source>
-        <translation type="unfinished" />
+        <translation>Am Faden ziehen</translation>
     </message>
     <message>
         <source>Ctrl and left drag on yarn</source>
-        <translation type="unfinished" />
+        <translation>mit Strg und links am Faden ziehen</translation>
     </message>
     <message>
         <source>Put a yarn on a carrier</source>
-        <translation type="unfinished" />
+        <translation>Garn auf einen Fadenführer legen</translation>
     </message>
     <message>
         <source>drag, or double click in the library</source>
-        <translation type="unfinished" />
+        <translation>ziehen, oder Doppelklick in der Bibliothek</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished" />
+        <translation>Tasten</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished" />
+        <translation>Was</translation>
     </message>
     <message>
         <source>Key</source>
-        <translation type="unfinished" />
+        <translation>Taste</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::LegendPanel</name>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
+    </message>
+    <message>
+        <source>What the symbols and colours of the chart stand for.</source>
+        <translation>Was die Zeichen und Farben der Patrone bedeuten.</translation>
+    </message>
+    <message>
+        <source>Carrier %1: %2</source>
+        <translation>Fadenführer %1: %2</translation>
     </message>
 </context>
 <context>
@@ -1600,23 +2096,23 @@ MIT licence. Copyright the KnittSim authors.</source>
     <name>knittsim::ui::MachineChoice</name>
     <message>
         <source>Machine</source>
-        <translation type="unfinished" />
+        <translation>Maschine</translation>
     </message>
     <message>
         <source>Add machine…</source>
-        <translation type="unfinished" />
+        <translation>Maschine hinzufügen…</translation>
     </message>
     <message>
         <source>As the file says: %1</source>
-        <translation type="unfinished" />
+        <translation>Wie in der Datei: %1</translation>
     </message>
     <message>
         <source>As the file says</source>
-        <translation type="unfinished" />
+        <translation>Wie in der Datei</translation>
     </message>
     <message>
         <source>Machine: %1. Another one checks the program again and feeds its own loop lengths.</source>
-        <translation type="unfinished" />
+        <translation>Maschine: %1. Eine andere prüft das Programm neu und liefert ihre eigenen Fadenlängen.</translation>
     </message>
 </context>
 <context>
@@ -1663,7 +2159,7 @@ MIT licence. Copyright the KnittSim authors.</source>
     </message>
     <message>
         <source>Charts and machine programs (*.knitt *.k *.knitout *.dat *.kc *.sin);;WKT of 1998 is not publicly documented: knitout or Sintral text fills its place (*.k *.sin);;All files (*)</source>
-        <translation type="unfinished" />
+        <translation>Patronen und Strickprogramme (*.knitt *.k *.knitout *.dat *.kc *.sin);;WKT von 1998 ist nicht öffentlich dokumentiert: Knitout oder Sintral-Text tritt an seine Stelle (*.k *.sin);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Open a chart or a machine program</source>
@@ -2377,6 +2873,314 @@ MIT licence. Copyright the KnittSim authors.</source>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
+    <message>
+        <source>E&amp;dit as chart</source>
+        <translation>Als Patrone &amp;bearbeiten</translation>
+    </message>
+    <message>
+        <source>Machine data becomes a chart that can be changed; what a chart cannot say is kept</source>
+        <translation>Maschinendaten werden zu einer Patrone, die sich ändern lässt; was eine Patrone nicht sagen kann, bleibt</translation>
+    </message>
+    <message>
+        <source>Symb&amp;ols</source>
+        <translation>&amp;Zeichen</translation>
+    </message>
+    <message>
+        <source>&amp;Next symbols</source>
+        <translation>&amp;Nächste Zeichen</translation>
+    </message>
+    <message>
+        <source>Colum&amp;ns beside the chart</source>
+        <translation>&amp;Spalten neben der Patrone</translation>
+    </message>
+    <message>
+        <source>Those that &amp;say something</source>
+        <translation>Die etwas &amp;sagen</translation>
+    </message>
+    <message>
+        <source>This is a chart now. Undo brings the machine data back.</source>
+        <translation>Das ist jetzt eine Patrone. Rückgängig bringt die Maschinendaten zurück.</translation>
+    </message>
+    <message>
+        <source>Import a picture</source>
+        <translation>Bild einlesen</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg);;All files (*)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since it was opened. Replace it with what is here?</source>
+        <translation>Ein anderes Programm hat %1 geändert, seit es geöffnet wurde. Durch das ersetzen, was hier ist?</translation>
+    </message>
+    <message>
+        <source>Export the chart</source>
+        <translation>Patrone ausgeben</translation>
+    </message>
+    <message>
+        <source>PDF pages (*.pdf)</source>
+        <translation>PDF-Seiten (*.pdf)</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Drawing the chart…</source>
+        <translation>Die Patrone wird gezeichnet…</translation>
+    </message>
+    <message>
+        <source>The chart was not exported. %1</source>
+        <translation>Die Patrone wurde nicht ausgegeben. %1</translation>
+    </message>
+    <message>
+        <source>Chart written to %1</source>
+        <translation>Patrone geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1. Your own changes are not saved yet.</source>
+        <translation>Ein anderes Programm hat %1 geändert. Die eigenen Änderungen sind noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1.</source>
+        <translation>Ein anderes Programm hat %1 geändert.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Keep what is here</source>
+        <translation>Behalten, was hier ist</translation>
+    </message>
+    <message>
+        <source>Reload the file</source>
+        <translation>Datei neu laden</translation>
+    </message>
+    <message>
+        <source>Reloading %1 drops the changes made here.</source>
+        <translation>Wer %1 neu lädt, verliert die Änderungen von hier.</translation>
+    </message>
+    <message>
+        <source>Save them elsewhere…</source>
+        <translation>Anderswo speichern…</translation>
+    </message>
+    <message>
+        <source>Drop them</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Compare side b&amp;y side</source>
+        <translation>&amp;Nebeneinander vergleichen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this state beside</source>
+        <translation>Diesen Stand daneben &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Keeps the fabric as it is now beside the one that goes on (Ctrl+K)</source>
+        <translation>Behält das Gestrick, wie es jetzt ist, neben dem, das weitergeht (Strg+K)</translation>
+    </message>
+    <message>
+        <source>With another &amp;file…</source>
+        <translation>Mit einer anderen &amp;Datei…</translation>
+    </message>
+    <message>
+        <source>With another &amp;yarn…</source>
+        <translation>Mit einem anderen &amp;Garn…</translation>
+    </message>
+    <message>
+        <source>&amp;Link the cameras</source>
+        <translation>&amp;Kameras verbinden</translation>
+    </message>
+    <message>
+        <source>&amp;Close the comparison</source>
+        <translation>Vergleich &amp;schließen</translation>
+    </message>
+    <message>
+        <source>Compare with a chart or a machine program</source>
+        <translation>Mit einer Patrone oder einem Strickprogramm vergleichen</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
+    </message>
+    <message>
+        <source>Steps of the work</source>
+        <translation>Arbeitsschritte</translation>
+    </message>
+    <message>
+        <source>What was done, the last step at the end. A click goes there and back again.</source>
+        <translation>Was getan wurde, der letzte Schritt am Ende. Ein Klick geht dorthin und wieder zurück.</translation>
+    </message>
+    <message>
+        <source>Click a step to go there; the disk marks what is saved</source>
+        <translation>Klick einen Schritt an, um dorthin zu gehen; die Diskette zeigt, was gespeichert ist</translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>%1 cannot become a chart.</source>
+        <translation>%1 kann keine Patrone werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Import a picture…</source>
+        <translation>Bild &amp;einlesen…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+I</source>
+        <translation>Ctrl+Alt+I</translation>
+    </message>
+    <message>
+        <source>Export &amp;chart…</source>
+        <translation>P&amp;atrone ausgeben…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+P</source>
+        <translation>Ctrl+Shift+P</translation>
+    </message>
+    <message>
+        <source>The chart with legend and yarn amounts as PDF or PNG (Ctrl+Shift+P)</source>
+        <translation>Die Patrone mit Legende und Garnmengen als PDF oder PNG (Strg+Umschalt+P)</translation>
+    </message>
+    <message>
+        <source>Photo&amp;graph</source>
+        <translation>&amp;Foto</translation>
+    </message>
+    <message>
+        <source>&amp;Open a photograph…</source>
+        <translation>Foto &amp;öffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Show the photograph</source>
+        <translation>Foto &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Align by two points</source>
+        <translation>An zwei Punkten &amp;ausrichten</translation>
+    </message>
+    <message>
+        <source>Open a photograph</source>
+        <translation>Foto öffnen</translation>
+    </message>
+    <message>
+        <source>Photographs (*.png *.jpg *.jpeg);;All files (*)</source>
+        <translation>Fotos (*.png *.jpg *.jpeg);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>The photograph %1 cannot be opened: %2.</source>
+        <translation>Das Foto %1 kann nicht geöffnet werden: %2.</translation>
+    </message>
+    <message>
+        <source>&amp;Speak the operations</source>
+        <translation>Schritte &amp;sprechen</translation>
+    </message>
+    <message>
+        <source>Speaks each operation that is shown, in the language of the window (Shift+S)</source>
+        <translation>Spricht jeden gezeigten Schritt, in der Sprache des Fensters (Umschalt+S)</translation>
+    </message>
+    <message>
+        <source>Fu&amp;zz of hairy yarn</source>
+        <translation>&amp;Flaum von haarigem Garn</translation>
+    </message>
+    <message>
+        <source>Loose fibres around hairy yarn, seen near by (Z)</source>
+        <translation>Lose Fasern um haariges Garn, aus der Nähe zu sehen (Z)</translation>
+    </message>
+    <message>
+        <source>Speed of settling as colour</source>
+        <translation>Tempo des Entspannens als Farbe</translation>
+    </message>
+    <message>
+        <source>How far the yarn has moved since the last picture (Ctrl+Shift+Y)</source>
+        <translation>Wie weit sich das Garn seit dem letzten Bild bewegt hat (Strg+Umschalt+Y)</translation>
+    </message>
+    <message>
+        <source>Na&amp;med views</source>
+        <translation>&amp;Benannte Ansichten</translation>
+    </message>
+    <message>
+        <source>&amp;Save this view…</source>
+        <translation>Diese Ansicht &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Rename or delete…</source>
+        <translation>&amp;Umbenennen oder löschen…</translation>
+    </message>
+    <message>
+        <source>Save this view</source>
+        <translation>Diese Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>Name of the view; one of the same name is replaced:</source>
+        <translation>Name der Ansicht; eine mit demselben Namen wird ersetzt:</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Ansicht %1</translation>
+    </message>
+    <message>
+        <source>View “%1” saved</source>
+        <translation>Ansicht „%1“ gespeichert</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>&amp;Automatisch</translation>
+    </message>
+    <message>
+        <source>As fine as the width of the yarn on the screen can show</source>
+        <translation>So fein, wie die Breite des Garns auf dem Bildschirm es zeigen kann</translation>
+    </message>
+    <message>
+        <source>Full &amp;yarn</source>
+        <translation>Volles &amp;Garn</translation>
+    </message>
+    <message>
+        <source>Plies and fibres at any distance; the slowest</source>
+        <translation>Zwirn und Fasern in jeder Entfernung; am langsamsten</translation>
+    </message>
+    <message>
+        <source>Plain &amp;tubes</source>
+        <translation>Glatte &amp;Röhren</translation>
+    </message>
+    <message>
+        <source>Round yarn without plies at any distance</source>
+        <translation>Rundes Garn ohne Zwirn in jeder Entfernung</translation>
+    </message>
+    <message>
+        <source>&amp;Strokes</source>
+        <translation>&amp;Striche</translation>
+    </message>
+    <message>
+        <source>Flat bands at any distance; the fastest</source>
+        <translation>Flache Bänder in jeder Entfernung; am schnellsten</translation>
+    </message>
+    <message>
+        <source>&amp;Detail of the yarn</source>
+        <translation>&amp;Feinheit des Garns</translation>
+    </message>
+    <message>
+        <source>full yarn</source>
+        <translation>volles Garn</translation>
+    </message>
+    <message>
+        <source>plain tubes</source>
+        <translation>glatte Röhren</translation>
+    </message>
+    <message>
+        <source>strokes</source>
+        <translation>Striche</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::NeedleBeds</name>
@@ -2407,7 +3211,9 @@ MIT licence. Copyright the KnittSim authors.</source>
     <message numerus="yes">
         <source>%1: %n loop(s)</source>
         <translation>
-            <numerusform>%1: %n Schleife</numerusform><numerusform>%1: %n Schleifen</numerusform></translation>
+            <numerusform>%1: %n Schleife</numerusform>
+            <numerusform>%1: %n Schleifen</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -2422,46 +3228,62 @@ MIT licence. Copyright the KnittSim authors.</source>
     </message>
     <message>
         <source>Needles across</source>
-        <translation type="unfinished" />
+        <translation>Nadeln quer</translation>
     </message>
     <message>
         <source>Courses up</source>
-        <translation type="unfinished" />
+        <translation>Reihen nach oben</translation>
     </message>
     <message>
         <source>The stitches that it begins with</source>
-        <translation type="unfinished" />
+        <translation>Die Maschen, mit denen sie beginnt</translation>
     </message>
     <message>
         <source>&amp;Wales</source>
-        <translation type="unfinished" />
+        <translation>&amp;Stäbchen</translation>
     </message>
     <message>
         <source>&amp;Courses</source>
-        <translation type="unfinished" />
+        <translation>&amp;Reihen</translation>
     </message>
     <message>
         <source>&amp;Ground</source>
-        <translation type="unfinished" />
+        <translation>&amp;Grund</translation>
     </message>
     <message>
         <source>Create</source>
-        <translation type="unfinished" />
+        <translation>Anlegen</translation>
+    </message>
+    <message>
+        <source>One loop a wale: knit, purl, cables, lace</source>
+        <translation>Eine Masche je Stäbchen: rechts, links, Zöpfe, Lochmuster</translation>
+    </message>
+    <message>
+        <source>Both beds at once: jacquard with a back, tubes, full ribs</source>
+        <translation>Beide Betten zugleich: Jacquard mit Rückseite, Schläuche, volle Rippen</translation>
+    </message>
+    <message>
+        <source>Whether front and rear needle of a wale work side by side</source>
+        <translation>Ob vordere und hintere Nadel eines Stäbchens nebeneinander arbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Beds</source>
+        <translation>&amp;Betten</translation>
     </message>
 </context>
 <context>
     <name>knittsim::ui::OpeningCard</name>
     <message>
         <source>Reading the file</source>
-        <translation type="unfinished" />
+        <translation>Die Datei wird gelesen</translation>
     </message>
     <message>
         <source>Running the machine</source>
-        <translation type="unfinished" />
+        <translation>Die Maschine läuft</translation>
     </message>
     <message>
         <source>Building the fabric</source>
-        <translation type="unfinished" />
+        <translation>Das Gestrick wird aufgebaut</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -2469,11 +3291,11 @@ MIT licence. Copyright the KnittSim authors.</source>
     </message>
     <message>
         <source>Stops opening this file; what was open stays</source>
-        <translation type="unfinished" />
+        <translation>Bricht das Öffnen dieser Datei ab; was geöffnet war, bleibt</translation>
     </message>
     <message>
         <source>Opening %1</source>
-        <translation type="unfinished" />
+        <translation>%1 wird geöffnet</translation>
     </message>
 </context>
 <context>
@@ -2488,59 +3310,55 @@ MIT licence. Copyright the KnittSim authors.</source>
     </message>
     <message>
         <source>seen from its edge</source>
-        <translation type="unfinished" />
+        <translation>von der Kante gesehen</translation>
     </message>
     <message>
         <source>courses, numbered</source>
-        <translation type="unfinished" />
+        <translation>Reihen, nummeriert</translation>
     </message>
     <message>
         <source>wales, numbered</source>
-        <translation type="unfinished" />
+        <translation>Stäbchen, nummeriert</translation>
     </message>
     <message>
         <source>× error, ! warning</source>
-        <translation type="unfinished" />
+        <translation>× Fehler, ! Warnung</translation>
     </message>
     <message>
         <source>section: Alt and wheel move it</source>
-        <translation type="unfinished" />
+        <translation>Schnitt: Alt und Mausrad verschieben ihn</translation>
     </message>
     <message>
         <source>tape: click the second point</source>
-        <translation type="unfinished" />
+        <translation>Maßband: klick den zweiten Punkt</translation>
     </message>
     <message>
         <source>tape: click the first point</source>
-        <translation type="unfinished" />
+        <translation>Maßband: klick den ersten Punkt</translation>
     </message>
     <message>
         <source>foot in a head: a loop drawn through</source>
-        <translation type="unfinished" />
+        <translation>Fuß im Kopf: eine durchgezogene Schleife</translation>
     </message>
     <message>
         <source>head, nothing through it</source>
-        <translation type="unfinished" />
+        <translation>Kopf, durch den nichts geht</translation>
     </message>
     <message>
         <source>crossing: the unbroken yarn lies in front</source>
-        <translation type="unfinished" />
+        <translation>Kreuzung: der ungebrochene Faden liegt vorn</translation>
     </message>
     <message>
         <source>Yarn tension (mN)</source>
-        <translation type="unfinished" />
+        <translation>Fadenspannung (mN)</translation>
     </message>
     <message>
         <source>Contact force (mN/mm)</source>
-        <translation type="unfinished" />
+        <translation>Kontaktkraft (mN/mm)</translation>
     </message>
     <message>
         <source>Not known for this shape yet</source>
-        <translation type="unfinished" />
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation type="unfinished" />
+        <translation>Für diese Form noch nicht bekannt</translation>
     </message>
     <message>
         <source>course</source>
@@ -2550,28 +3368,266 @@ MIT licence. Copyright the KnittSim authors.</source>
         <source>wale</source>
         <translation>Stäbchen</translation>
     </message>
+    <message>
+        <source>click a point of the photograph</source>
+        <translation>klick einen Punkt des Fotos</translation>
+    </message>
+    <message>
+        <source>click the same point of the fabric</source>
+        <translation>klick denselben Punkt des Gestricks</translation>
+    </message>
+    <message>
+        <source>click a second point of the photograph</source>
+        <translation>klick einen zweiten Punkt des Fotos</translation>
+    </message>
+    <message>
+        <source>click the second point of the fabric</source>
+        <translation>klick den zweiten Punkt des Gestricks</translation>
+    </message>
+    <message>
+        <source>photograph beside</source>
+        <translation>Foto daneben</translation>
+    </message>
+    <message>
+        <source>photograph over it</source>
+        <translation>Foto darüber</translation>
+    </message>
+    <message>
+        <source>Moved since the last picture (mm)</source>
+        <translation>Seit dem letzten Bild bewegt (mm)</translation>
+    </message>
+    <message>
+        <source>Nothing has moved</source>
+        <translation>Nichts hat sich bewegt</translation>
+    </message>
+    <message>
+        <source>%1 mm (%2 in)</source>
+        <translation>%1 mm (%2 in)</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::PatternGrid</name>
     <message>
         <source>Pattern grid</source>
-        <translation type="unfinished" />
+        <translation>Patrone</translation>
     </message>
     <message>
         <source>Needles across, courses up, one cell a stitch. Click selects a stitch; Ctrl and the wheel zoom.</source>
-        <translation type="unfinished" />
+        <translation>Nadeln quer, Reihen nach oben, ein Feld je Masche. Ein Klick wählt eine Masche; Strg und Mausrad vergrößern.</translation>
     </message>
     <message>
         <source>Needle %1, course %2: miss, carrier %3 floats past</source>
-        <translation type="unfinished" />
+        <translation>Nadel %1, Reihe %2: ausgelassen, Fadenführer %3 flottet vorbei</translation>
     </message>
     <message>
         <source>This program makes no stitches.</source>
-        <translation type="unfinished" />
+        <translation>Dieses Programm bildet keine Maschen.</translation>
     </message>
     <message>
         <source>Nothing is open.</source>
-        <translation type="unfinished" />
+        <translation>Nichts ist geöffnet.</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::PhotographCard</name>
+    <message>
+        <source>How strongly the photograph covers the fabric</source>
+        <translation>Wie stark das Foto das Gestrick verdeckt</translation>
+    </message>
+    <message>
+        <source>Wipes the photograph away from the left</source>
+        <translation>Wischt das Foto von links weg</translation>
+    </message>
+    <message>
+        <source>&amp;Beside the fabric</source>
+        <translation>&amp;Neben dem Gestrick</translation>
+    </message>
+    <message>
+        <source>Photograph</source>
+        <translation>Foto</translation>
+    </message>
+    <message>
+        <source>On the right of the fabric in the same scale, instead of over it</source>
+        <translation>Rechts neben dem Gestrick im selben Maßstab, statt darüber</translation>
+    </message>
+    <message>
+        <source>&amp;Align…</source>
+        <translation>&amp;Ausrichten…</translation>
+    </message>
+    <message>
+        <source>Two points of the photograph on two of the fabric (Shift+W)</source>
+        <translation>Zwei Punkte des Fotos auf zwei des Gestricks (Umschalt+W)</translation>
+    </message>
+    <message>
+        <source>&amp;Other…</source>
+        <translation>An&amp;deres…</translation>
+    </message>
+    <message>
+        <source>Opens another photograph (Ctrl+Alt+P)</source>
+        <translation>Öffnet ein anderes Foto (Strg+Alt+P)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Forgets the photograph</source>
+        <translation>Vergisst das Foto</translation>
+    </message>
+    <message>
+        <source>Hides the photograph; W shows it again</source>
+        <translation>Verbirgt das Foto; W zeigt es wieder</translation>
+    </message>
+    <message>
+        <source>Hide the photograph</source>
+        <translation>Foto verbergen</translation>
+    </message>
+    <message>
+        <source>O&amp;pacity</source>
+        <translation>De&amp;ckkraft</translation>
+    </message>
+    <message>
+        <source>&amp;Wipe</source>
+        <translation>&amp;Wischen</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::PictureDialog</name>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 einlesen</translation>
+    </message>
+    <message>
+        <source>Preview of the chart</source>
+        <translation>Vorschau der Patrone</translation>
+    </message>
+    <message>
+        <source>Stitches across</source>
+        <translation>Maschen quer</translation>
+    </message>
+    <message>
+        <source>Stitches up</source>
+        <translation>Maschen nach oben</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the proportions</source>
+        <translation>Ver&amp;hältnis behalten</translation>
+    </message>
+    <message>
+        <source>Circles stay round: the courses follow from the wales and the gauge</source>
+        <translation>Kreise bleiben rund: die Reihen folgen aus den Stäbchen und der Maschendichte</translation>
+    </message>
+    <message>
+        <source>Gauge of the knitted fabric: how high a stitch is for its width</source>
+        <translation>Maschendichte des Gestricks: wie hoch eine Masche für ihre Breite ist</translation>
+    </message>
+    <message>
+        <source>Where the colours come from</source>
+        <translation>Woher die Farben kommen</translation>
+    </message>
+    <message>
+        <source>Found in the picture</source>
+        <translation>Im Bild gefunden</translation>
+    </message>
+    <message>
+        <source>Yarns of the open chart</source>
+        <translation>Garne der offenen Patrone</translation>
+    </message>
+    <message>
+        <source>Each colour needs a carrier</source>
+        <translation>Jede Farbe braucht einen Fadenführer</translation>
+    </message>
+    <message>
+        <source>&amp;Mix colours by dots</source>
+        <translation>Farben durch Punkte &amp;mischen</translation>
+    </message>
+    <message>
+        <source>Dithering: shades between the yarns from afar, single stitches from near</source>
+        <translation>Rastern: von fern Töne zwischen den Garnen, von nah einzelne Maschen</translation>
+    </message>
+    <message>
+        <source>How the colours are knitted</source>
+        <translation>Wie die Farben gestrickt werden</translation>
+    </message>
+    <message>
+        <source>Float jacquard</source>
+        <translation>Jacquard mit Flottungen</translation>
+    </message>
+    <message>
+        <source>Intarsia</source>
+        <translation>Intarsie</translation>
+    </message>
+    <message>
+        <source>&amp;Wales</source>
+        <translation>&amp;Stäbchen</translation>
+    </message>
+    <message>
+        <source>&amp;Courses</source>
+        <translation>&amp;Reihen</translation>
+    </message>
+    <message>
+        <source>Wales in 10 cm</source>
+        <translation>Stäbchen auf 10 cm</translation>
+    </message>
+    <message>
+        <source>Courses in 10 cm</source>
+        <translation>Reihen auf 10 cm</translation>
+    </message>
+    <message>
+        <source>C&amp;olours</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>&amp;Number of colours</source>
+        <translation>&amp;Anzahl der Farben</translation>
+    </message>
+    <message>
+        <source>Knitted &amp;as</source>
+        <translation>Gestrickt &amp;als</translation>
+    </message>
+    <message>
+        <source>Make the chart</source>
+        <translation>Patrone anlegen</translation>
+    </message>
+    <message>
+        <source>Reading the picture</source>
+        <translation>Das Bild wird gelesen</translation>
+    </message>
+    <message>
+        <source>The picture cannot be read: %1.</source>
+        <translation>Das Bild kann nicht gelesen werden: %1.</translation>
+    </message>
+    <message>
+        <source>%1 x %2 stitches, about %3 x %4 cm.</source>
+        <translation>%1 x %2 Maschen, etwa %3 x %4 cm.</translation>
+    </message>
+    <message>
+        <source>The picture has no more colours than %1.</source>
+        <translation>Das Bild hat nicht mehr Farben als %1.</translation>
+    </message>
+    <message>
+        <source>Yarns that do not show float behind the stitches</source>
+        <translation>Fäden, die nicht zu sehen sind, flotten hinter den Maschen</translation>
+    </message>
+    <message>
+        <source>Every yarn stays in its own zone</source>
+        <translation>Jeder Faden bleibt in seinem Feld</translation>
+    </message>
+    <message>
+        <source>Birdseye back</source>
+        <translation>Jacquard mit Pfauenaugen-Rückseite</translation>
+    </message>
+    <message>
+        <source>Both beds: yarns that do not show knit every second needle behind</source>
+        <translation>Beide Betten: hinten strickt jeder Faden jede zweite Nadel</translation>
+    </message>
+    <message>
+        <source>Ladder back</source>
+        <translation>Jacquard mit Leiter-Rückseite</translation>
+    </message>
+    <message>
+        <source>Both beds: yarns that do not show knit every fourth needle behind</source>
+        <translation>Beide Betten: hinten strickt jede vierte Nadel einen Faden, der vorn nicht zu sehen ist</translation>
     </message>
 </context>
 <context>
@@ -2593,119 +3649,119 @@ MIT licence. Copyright the KnittSim authors.</source>
     <name>knittsim::ui::PullDialog</name>
     <message>
         <source>Pull test</source>
-        <translation type="unfinished" />
+        <translation>Zugversuch</translation>
     </message>
     <message>
         <source>Draws one repeat of the fabric longer in the yarn model and lets it back, as a strip far from its grips.</source>
-        <translation type="unfinished" />
+        <translation>Zieht einen Rapport des Gestricks im Garnmodell länger und lässt ihn zurück, als Streifen fern von seinen Klemmen.</translation>
     </message>
     <message>
         <source>Left and right, along the courses</source>
-        <translation type="unfinished" />
+        <translation>Links und rechts, entlang der Reihen</translation>
     </message>
     <message>
         <source>Top and bottom, along the wales</source>
-        <translation type="unfinished" />
+        <translation>Oben und unten, entlang der Stäbchen</translation>
     </message>
     <message>
         <source>The two opposite sides that are pulled; the others are free</source>
-        <translation type="unfinished" />
+        <translation>Die zwei gegenüberliegenden Seiten, an denen gezogen wird; die anderen sind frei</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished" />
+        <translation> %</translation>
     </message>
     <message>
         <source>Largest strain, of the size at rest</source>
-        <translation type="unfinished" />
+        <translation>Größte Dehnung, bezogen auf die Größe in Ruhe</translation>
     </message>
     <message>
         <source>Points up to the largest strain, and as many back</source>
-        <translation type="unfinished" />
+        <translation>Punkte bis zur größten Dehnung und ebenso viele zurück</translation>
     </message>
     <message>
         <source>Pulled &amp;sides</source>
-        <translation type="unfinished" />
+        <translation>Gezogene &amp;Seiten</translation>
     </message>
     <message>
         <source>S&amp;train</source>
-        <translation type="unfinished" />
+        <translation>&amp;Dehnung</translation>
     </message>
     <message>
         <source>Ste&amp;ps</source>
-        <translation type="unfinished" />
+        <translation>S&amp;chritte</translation>
     </message>
     <message>
         <source>Progress of the pull test</source>
-        <translation type="unfinished" />
+        <translation>Fortschritt des Zugversuchs</translation>
     </message>
     <message>
         <source>&amp;Pull</source>
-        <translation type="unfinished" />
+        <translation>&amp;Ziehen</translation>
     </message>
     <message>
         <source>&amp;Write CSV…</source>
-        <translation type="unfinished" />
+        <translation>&amp;CSV schreiben…</translation>
     </message>
     <message>
         <source>Writes strain, force and size of every point as comma-separated values</source>
-        <translation type="unfinished" />
+        <translation>Schreibt Dehnung, Kraft und Größe jedes Punkts als kommagetrennte Werte</translation>
     </message>
     <message>
         <source>Ends the test (Esc)</source>
-        <translation type="unfinished" />
+        <translation>Beendet den Versuch (Esc)</translation>
     </message>
     <message>
         <source>Sto&amp;p</source>
-        <translation type="unfinished" />
+        <translation>&amp;Anhalten</translation>
     </message>
     <message>
         <source>Ends the test and keeps its points</source>
-        <translation type="unfinished" />
+        <translation>Beendet den Versuch und behält seine Punkte</translation>
     </message>
     <message>
         <source>Starts the test</source>
-        <translation type="unfinished" />
+        <translation>Beginnt den Versuch</translation>
     </message>
     <message>
         <source>A repeat of %1 × %2 stitches</source>
-        <translation type="unfinished" />
+        <translation>Ein Rapport aus %1 × %2 Maschen</translation>
     </message>
     <message>
         <source>Some seconds for a small repeat.</source>
-        <translation type="unfinished" />
+        <translation>Einige Sekunden für einen kleinen Rapport.</translation>
     </message>
     <message>
         <source>The repeat comes to rest…</source>
-        <translation type="unfinished" />
+        <translation>Der Rapport kommt zur Ruhe…</translation>
     </message>
     <message>
         <source>%1, point %2 of at most %3</source>
-        <translation type="unfinished" />
+        <translation>%1, Punkt %2 von höchstens %3</translation>
     </message>
     <message>
         <source>%1: %2 N/mm at %3 %</source>
-        <translation type="unfinished" />
+        <translation>%1: %2 N/mm bei %3 %</translation>
     </message>
     <message>
         <source>Stopped</source>
-        <translation type="unfinished" />
+        <translation>Angehalten</translation>
     </message>
     <message>
         <source>Most of the fabric would have to be knit and purl stitches of one yarn that repeat themselves.</source>
-        <translation type="unfinished" />
+        <translation>Das Gestrick müsste zum größten Teil aus rechten und linken Maschen eines Garns bestehen, die sich wiederholen.</translation>
     </message>
     <message>
         <source>The repeat does not come to rest; the points up to there are kept.</source>
-        <translation type="unfinished" />
+        <translation>Der Rapport kommt nicht zur Ruhe; die Punkte bis dahin bleiben.</translation>
     </message>
     <message>
         <source>Write the pull test</source>
-        <translation type="unfinished" />
+        <translation>Zugversuch schreiben</translation>
     </message>
     <message>
         <source>Comma-separated values (*.csv)</source>
-        <translation type="unfinished" />
+        <translation>Kommagetrennte Werte (*.csv)</translation>
     </message>
     <message>
         <source>Written to %1</source>
@@ -2713,26 +3769,26 @@ MIT licence. Copyright the KnittSim authors.</source>
     </message>
     <message>
         <source>%1 cannot be written.</source>
-        <translation type="unfinished" />
+        <translation>%1 kann nicht geschrieben werden.</translation>
     </message>
 </context>
 <context>
     <name>knittsim::ui::PullPlot</name>
     <message>
         <source>Force against strain</source>
-        <translation type="unfinished" />
+        <translation>Kraft über Dehnung</translation>
     </message>
     <message>
         <source>Force by width of the fabric against strain: drawn longer (full line) and back (dashed)</source>
-        <translation type="unfinished" />
+        <translation>Kraft je Breite des Gestricks über der Dehnung: länger gezogen (durchgezogen) und zurück (gestrichelt)</translation>
     </message>
     <message>
         <source>Force (N/mm)</source>
-        <translation type="unfinished" />
+        <translation>Kraft (N/mm)</translation>
     </message>
     <message>
         <source>Strain (%)</source>
-        <translation type="unfinished" />
+        <translation>Dehnung (%)</translation>
     </message>
 </context>
 <context>
@@ -2747,70 +3803,100 @@ MIT licence. Copyright the KnittSim authors.</source>
     </message>
 </context>
 <context>
+    <name>knittsim::ui::SheetPainter</name>
+    <message>
+        <source>Carrier %1: %2</source>
+        <translation>Fadenführer %1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 m, %3 g</source>
+        <translation>%1, %2 m, %3 g</translation>
+    </message>
+    <message>
+        <source>Needles %1 to %2, courses %3 to %4 – page %5 of %6</source>
+        <translation>Nadeln %1 bis %2, Reihen %3 bis %4 – Seite %5 von %6</translation>
+    </message>
+    <message>
+        <source>%1 wales x %2 courses</source>
+        <translation>%1 Stäbchen x %2 Reihen</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::SideEditor</name>
+    <message>
+        <source>A whole number from %1 to %2</source>
+        <translation>Eine ganze Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>A number from %1 to %2</source>
+        <translation>Eine Zahl von %1 bis %2</translation>
+    </message>
+</context>
+<context>
     <name>knittsim::ui::SimulationPanel</name>
     <message>
         <source>Start</source>
-        <translation type="unfinished" />
+        <translation>Start</translation>
     </message>
     <message>
         <source>F5</source>
-        <translation type="unfinished" />
+        <translation>F5</translation>
     </message>
     <message>
         <source>One step of the integrator</source>
-        <translation type="unfinished" />
+        <translation>Ein Schritt des Integrators</translation>
     </message>
     <message>
         <source>F6</source>
-        <translation type="unfinished" />
+        <translation>F6</translation>
     </message>
     <message>
         <source>Restart from the machine</source>
-        <translation type="unfinished" />
+        <translation>Neu von der Maschine</translation>
     </message>
     <message>
         <source>R</source>
-        <translation type="unfinished" />
+        <translation>R</translation>
     </message>
     <message>
         <source>Stop and forget the velocity</source>
-        <translation type="unfinished" />
+        <translation>Anhalten und die Geschwindigkeit vergessen</translation>
     </message>
     <message>
         <source>Shift+F5</source>
-        <translation type="unfinished" />
+        <translation>Umschalt+F5</translation>
     </message>
     <message>
         <source>Integrator</source>
-        <translation type="unfinished" />
+        <translation>Integrator</translation>
     </message>
     <message>
         <source>Remove ladders</source>
-        <translation type="unfinished" />
+        <translation>Laufmaschen entfernen</translation>
     </message>
     <message>
         <source>Ctrl+L</source>
-        <translation type="unfinished" />
+        <translation>Strg+L</translation>
     </message>
     <message>
         <source>Settle as yarn</source>
-        <translation type="unfinished" />
+        <translation>Als Garn entspannen</translation>
     </message>
     <message>
         <source>Y</source>
-        <translation type="unfinished" />
+        <translation>Y</translation>
     </message>
     <message>
         <source>Surroundings of the yarn</source>
-        <translation type="unfinished" />
+        <translation>Umgebung des Garns</translation>
     </message>
     <message>
         <source>Stitch holder</source>
-        <translation type="unfinished" />
+        <translation>Maschenhalter</translation>
     </message>
     <message>
         <source>%1 (Ctrl+Shift+L)</source>
-        <translation type="unfinished" />
+        <translation>%1 (Strg+Umschalt+L)</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -2818,58 +3904,81 @@ MIT licence. Copyright the KnittSim authors.</source>
     </message>
     <message>
         <source>Step %1 · %2 ms each</source>
-        <translation type="unfinished" />
+        <translation>Schritt %1 · je %2 ms</translation>
     </message>
     <message>
         <source> · dt %1 s</source>
-        <translation type="unfinished" />
+        <translation> · dt %1 s</translation>
     </message>
     <message>
         <source>Integrator. %1</source>
-        <translation type="unfinished" />
+        <translation>Integrator. %1</translation>
     </message>
     <message>
         <source>Skip to the end</source>
-        <translation type="unfinished" />
+        <translation>Zum Ende springen</translation>
     </message>
     <message>
         <source>Shows the end of the run at once (Ctrl+L); Escape puts the loops back</source>
-        <translation type="unfinished" />
+        <translation>Zeigt gleich das Ende der Laufmasche (Strg+L); Esc nimmt sie zurück</translation>
     </message>
     <message>
         <source>%1 (Ctrl+L)</source>
-        <translation type="unfinished" />
+        <translation>%1 (Strg+L)</translation>
     </message>
     <message>
         <source>Keeps the shape that the yarn has reached (Y)</source>
-        <translation type="unfinished" />
+        <translation>Behält die Form, die das Garn erreicht hat (Y)</translation>
     </message>
     <message>
         <source>%1 (Y)</source>
-        <translation type="unfinished" />
+        <translation>%1 (Y)</translation>
     </message>
     <message>
         <source>What the yarn lies on or hangs from. %1</source>
-        <translation type="unfinished" />
+        <translation>Worauf das Garn liegt oder woran es hängt. %1</translation>
     </message>
 </context>
 <context>
     <name>knittsim::ui::SourceView</name>
     <message>
         <source>Source text</source>
-        <translation type="unfinished" />
+        <translation>Quelltext</translation>
     </message>
     <message>
         <source>Line %1: %2</source>
-        <translation type="unfinished" />
+        <translation>Zeile %1: %2</translation>
     </message>
     <message>
         <source>This file is not text.</source>
-        <translation type="unfinished" />
+        <translation>Diese Datei ist kein Text.</translation>
     </message>
     <message>
         <source>No text to show.</source>
-        <translation type="unfinished" />
+        <translation>Kein Text zu zeigen.</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::Speaker</name>
+    <message>
+        <source>This program was built without speech. Install qt6-speech-dev and qt6-declarative-dev and build it anew.</source>
+        <translation>Dieses Programm wurde ohne Sprache gebaut. Installiere qt6-speech-dev und qt6-declarative-dev und baue es neu.</translation>
+    </message>
+    <message>
+        <source>Qt finds no speech engine. Install qt6-speech-speechd-plugin and speech-dispatcher.</source>
+        <translation>Qt findet kein Sprachprogramm. Installiere qt6-speech-speechd-plugin und speech-dispatcher.</translation>
+    </message>
+    <message>
+        <source>The speech service does not answer. Install speech-dispatcher with a voice such as speech-dispatcher-espeak-ng.</source>
+        <translation>Der Sprachdienst antwortet nicht. Installiere speech-dispatcher mit einer Stimme wie speech-dispatcher-espeak-ng.</translation>
+    </message>
+    <message>
+        <source>The speech service has no voice in this language.</source>
+        <translation>Der Sprachdienst hat keine Stimme in dieser Sprache.</translation>
+    </message>
+    <message>
+        <source>The empty machine.</source>
+        <translation>Die leere Maschine.</translation>
     </message>
 </context>
 <context>
@@ -2945,6 +4054,14 @@ MIT licence. Copyright the KnittSim authors.</source>
     <message>
         <source>%1 stitches</source>
         <translation>%1 Maschen</translation>
+    </message>
+    <message>
+        <source>Level of detail that you chose (View &gt; Detail of the yarn)</source>
+        <translation>Feinheit, die Sie gewählt haben (Ansicht &gt; Feinheit des Garns)</translation>
+    </message>
+    <message>
+        <source>Level of detail drawn, chosen by the width of the yarn on the screen</source>
+        <translation>Gezeichnete Feinheit, nach der Breite des Garns auf dem Bildschirm gewählt</translation>
     </message>
 </context>
 <context>
@@ -3202,6 +4319,52 @@ MIT licence. Copyright the KnittSim authors.</source>
     </message>
 </context>
 <context>
+    <name>knittsim::ui::ThreadedCanvas</name>
+    <message>
+        <source>The fabric is too large for this graphics driver.</source>
+        <translation>Das Gestrick ist zu groß für diesen Grafiktreiber.</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::ViewsDialog</name>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Named views</source>
+        <translation>Benannte Ansichten</translation>
+    </message>
+    <message>
+        <source>Double click shows a view, F2 renames it</source>
+        <translation>Doppelklick zeigt eine Ansicht, F2 benennt sie um</translation>
+    </message>
+    <message>
+        <source>Puts the camera there (Enter)</source>
+        <translation>Stellt die Kamera dorthin (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Gives the view another name (F2)</source>
+        <translation>Gibt der Ansicht einen anderen Namen (F2)</translation>
+    </message>
+    <message>
+        <source>Forgets the view</source>
+        <translation>Vergisst die Ansicht</translation>
+    </message>
+    <message>
+        <source>Double click shows a view, F2 renames it.</source>
+        <translation>Doppelklick zeigt eine Ansicht, F2 benennt sie um.</translation>
+    </message>
+</context>
+<context>
     <name>knittsim::ui::WebpSink</name>
     <message>
         <source>The animation cannot be written to %1.</source>
@@ -3213,94 +4376,408 @@ MIT licence. Copyright the KnittSim authors.</source>
     </message>
 </context>
 <context>
+    <name>knittsim::ui::YarnChoiceDialog</name>
+    <message>
+        <source>Compare with another yarn</source>
+        <translation>Mit einem anderen Garn vergleichen</translation>
+    </message>
+    <message>
+        <source>Whose yarn is exchanged</source>
+        <translation>Wessen Garn getauscht wird</translation>
+    </message>
+    <message>
+        <source>The yarn of the fabric beside</source>
+        <translation>Das Garn des Gestricks daneben</translation>
+    </message>
+    <message>
+        <source>All carriers, each in its colour</source>
+        <translation>Alle Fadenführer, jeder in seiner Farbe</translation>
+    </message>
+    <message>
+        <source>Carrier %1: %2</source>
+        <translation>Fadenführer %1: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleichen</translation>
+    </message>
+    <message>
+        <source>Settles the same program in this yarn beside (Enter)</source>
+        <translation>Entspannt daneben dasselbe Programm in diesem Garn (Eingabe)</translation>
+    </message>
+    <message>
+        <source>&amp;Exchange:</source>
+        <translation>&amp;Tauschen:</translation>
+    </message>
+    <message>
+        <source>&amp;Yarn:</source>
+        <translation>&amp;Garn:</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3 mm thick</source>
+        <translation>%1, %2, %3 mm dick</translation>
+    </message>
+    <message>
+        <source>instead of %1, %2 mm thick</source>
+        <translation>statt %1, %2 mm dick</translation>
+    </message>
+</context>
+<context>
+    <name>knittsim::ui::YarnDialog</name>
+    <message>
+        <source>wool</source>
+        <translation>Wolle</translation>
+    </message>
+    <message>
+        <source>cashmere</source>
+        <translation>Kaschmir</translation>
+    </message>
+    <message>
+        <source>alpaca</source>
+        <translation>Alpaka</translation>
+    </message>
+    <message>
+        <source>cotton</source>
+        <translation>Baumwolle</translation>
+    </message>
+    <message>
+        <source>linen</source>
+        <translation>Leinen</translation>
+    </message>
+    <message>
+        <source>silk</source>
+        <translation>Seide</translation>
+    </message>
+    <message>
+        <source>viscose</source>
+        <translation>Viskose</translation>
+    </message>
+    <message>
+        <source>acrylic</source>
+        <translation>Polyacryl</translation>
+    </message>
+    <message>
+        <source>polyester</source>
+        <translation>Polyester</translation>
+    </message>
+    <message>
+        <source>polyamide</source>
+        <translation>Polyamid</translation>
+    </message>
+    <message>
+        <source>New yarn</source>
+        <translation>Neues Garn</translation>
+    </message>
+    <message>
+        <source>Yarn %1</source>
+        <translation>Garn %1</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>As it stands in the library</source>
+        <translation>Wie es in der Bibliothek steht</translation>
+    </message>
+    <message>
+        <source>What it is made of; the density for the diameters follows from it</source>
+        <translation>Woraus es besteht; die Dichte für die Durchmesser folgt daraus</translation>
+    </message>
+    <message>
+        <source>Fibre</source>
+        <translation>Faser</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Outer diameter, mm</source>
+        <translation>Außendurchmesser, mm</translation>
+    </message>
+    <message>
+        <source>Core diameter, mm</source>
+        <translation>Kerndurchmesser, mm</translation>
+    </message>
+    <message>
+        <source>Of the fibres pressed together</source>
+        <translation>Der zusammengedrückten Fasern</translation>
+    </message>
+    <message>
+        <source>EA, stretching, N</source>
+        <translation>EA, Dehnung, N</translation>
+    </message>
+    <message>
+        <source>Force that would double the length</source>
+        <translation>Kraft, die die Länge verdoppeln würde</translation>
+    </message>
+    <message>
+        <source>EI, bending, mN·mm²</source>
+        <translation>EI, Biegung, mN·mm²</translation>
+    </message>
+    <message>
+        <source>How the yarn resists a bend</source>
+        <translation>Wie das Garn einer Biegung widersteht</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Yarn on yarn, 0 to 2</source>
+        <translation>Garn auf Garn, 0 bis 2</translation>
+    </message>
+    <message>
+        <source>How the surface looks</source>
+        <translation>Wie die Oberfläche aussieht</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Hairiness</source>
+        <translation>Haarigkeit</translation>
+    </message>
+    <message>
+        <source>0 none, 1 brushed mohair</source>
+        <translation>0 keine, 1 gebürstetes Mohair</translation>
+    </message>
+    <message>
+        <source>Plies</source>
+        <translation>Einzelgarne</translation>
+    </message>
+    <message>
+        <source>Yarns twisted into one</source>
+        <translation>Garne, die zu einem verzwirnt sind</translation>
+    </message>
+    <message>
+        <source>Twist per metre</source>
+        <translation>Drehungen je Meter</translation>
+    </message>
+    <message>
+        <source>Turns of the plies; S is positive, Z negative</source>
+        <translation>Drehungen des Zwirns; S ist positiv, Z negativ</translation>
+    </message>
+    <message>
+        <source>The colour that it has in the library</source>
+        <translation>Die Farbe, die es in der Bibliothek hat</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>How fine it is, in the unit beside</source>
+        <translation>Wie fein es ist, in der Einheit daneben</translation>
+    </message>
+    <message>
+        <source>Another unit converts the number</source>
+        <translation>Eine andere Einheit rechnet die Zahl um</translation>
+    </message>
+    <message>
+        <source>Of the hull of the fibres</source>
+        <translation>Der Hülle der Fasern</translation>
+    </message>
+    <message>
+        <source>Part of the section that is fibre: ring spun 0.6, worsted 0.45 to 0.5, woollen and bulked 0.25 to 0.3, textured 0.35, brushed 0.06</source>
+        <translation>Anteil des Querschnitts, der Faser ist: ringgesponnen 0.6, Kammgarn 0.45 bis 0.5, Streichgarn und Bauschgarn 0.25 bis 0.3, texturiert 0.35, gebürstet 0.06</translation>
+    </message>
+    <message>
+        <source>From the count</source>
+        <translation>Aus der Nummer</translation>
+    </message>
+    <message>
+        <source>d = 0.03568 √(tex / (ρ φ)) mm, ρ of the fibre in g/cm³, φ as beside; 0.9 for the core</source>
+        <translation>d = 0.03568 √(tex / (ρ φ)) mm, ρ der Faser in g/cm³, φ wie daneben; 0.9 für den Kern</translation>
+    </message>
+    <message>
+        <source>Colour of the yarn</source>
+        <translation>Farbe des Garns</translation>
+    </message>
+    <message>
+        <source>Expected: %1</source>
+        <translation>Erwartet: %1</translation>
+    </message>
+</context>
+<context>
     <name>knittsim::ui::YarnModel</name>
     <message>
         <source>%1: drag it onto a carrier, or double click to put it on the selected carrier</source>
-        <translation type="unfinished" />
+        <translation>%1: auf einen Fadenführer ziehen, oder Doppelklick für den gewählten Fadenführer</translation>
     </message>
 </context>
 <context>
     <name>knittsim::ui::YarnPalette</name>
     <message>
         <source>Yarn of carrier %1: %2</source>
-        <translation type="unfinished" />
+        <translation>Garn von Fadenführer %1: %2</translation>
     </message>
     <message>
         <source>Add a yarn on the next carrier</source>
-        <translation type="unfinished" />
+        <translation>Ein Garn auf dem nächsten Fadenführer hinzufügen</translation>
     </message>
     <message>
         <source>another yarn</source>
-        <translation type="unfinished" />
+        <translation>noch ein Garn</translation>
     </message>
 </context>
 <context>
     <name>knittsim::ui::YarnPanel</name>
     <message>
         <source>Carriers</source>
-        <translation type="unfinished" />
+        <translation>Fadenführer</translation>
     </message>
     <message>
         <source>Search yarns</source>
-        <translation type="unfinished" />
+        <translation>Garne suchen</translation>
     </message>
     <message>
         <source>Name, fibre or count (Ctrl+F)</source>
-        <translation type="unfinished" />
+        <translation>Name, Faser oder Nummer (Strg+F)</translation>
     </message>
     <message>
         <source>Yarn library</source>
-        <translation type="unfinished" />
+        <translation>Garnbibliothek</translation>
     </message>
     <message>
         <source>Library</source>
-        <translation type="unfinished" />
+        <translation>Bibliothek</translation>
     </message>
     <message>
         <source>Details of the yarn</source>
-        <translation type="unfinished" />
+        <translation>Einzelheiten des Garns</translation>
     </message>
     <message>
-        <source>Replaces the carrier's yarn; the fabric goes on from its shape (double click or Enter)</source>
-        <translation type="unfinished" />
+        <source>Replaces the carrier&apos;s yarn; the fabric goes on from its shape (double click or Enter)</source>
+        <translation>Ersetzt das Garn des Fadenführers; das Gestrick macht mit seiner Form weiter (Doppelklick oder Eingabe)</translation>
     </message>
     <message>
         <source>Put on carrier %1</source>
-        <translation type="unfinished" />
+        <translation>Auf Fadenführer %1 legen</translation>
     </message>
     <message>
         <source>Put on the carrier</source>
-        <translation type="unfinished" />
+        <translation>Auf den Fadenführer legen</translation>
     </message>
     <message>
-        <source>Colour of the carrier's yarn</source>
-        <translation type="unfinished" />
+        <source>Colour of the carrier&apos;s yarn</source>
+        <translation>Farbe des Garns auf dem Fadenführer</translation>
+    </message>
+    <message>
+        <source>Which yarns</source>
+        <translation>Welche Garne</translation>
+    </message>
+    <message>
+        <source>Shows all yarns, your own, or those of one fibre</source>
+        <translation>Zeigt alle Garne, die eigenen oder die einer Faser</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Add, change, import and export yarns of your own</source>
+        <translation>Eigene Garne hinzufügen, ändern, einlesen und ausgeben</translation>
+    </message>
+    <message>
+        <source>&amp;New yarn like this one…</source>
+        <translation>&amp;Neues Garn wie dieses…</translation>
+    </message>
+    <message>
+        <source>My %1</source>
+        <translation>Mein %1</translation>
+    </message>
+    <message>
+        <source>A copy that is yours</source>
+        <translation>Eine eigene Kopie</translation>
+    </message>
+    <message>
+        <source>&amp;Change…</source>
+        <translation>Ä&amp;ndern…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Einlesen…</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Ausgeben…</translation>
+    </message>
+    <message>
+        <source>The yarn could not be saved</source>
+        <translation>Das Garn konnte nicht gespeichert werden</translation>
+    </message>
+    <message>
+        <source>Import yarns</source>
+        <translation>Garne einlesen</translation>
+    </message>
+    <message>
+        <source>Yarns (*.json);;All files (*)</source>
+        <translation>Garne (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 is no yarn that can be read</source>
+        <translation>%1 ist kein lesbares Garn</translation>
+    </message>
+    <message>
+        <source>Export the yarn</source>
+        <translation>Garn ausgeben</translation>
+    </message>
+    <message>
+        <source>Yarns (*.json)</source>
+        <translation>Garne (*.json)</translation>
+    </message>
+    <message>
+        <source>The yarn could not be written</source>
+        <translation>Das Garn konnte nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Delete the yarn</source>
+        <translation>Garn löschen</translation>
+    </message>
+    <message>
+        <source>Delete %1 from your yarns? Fabrics that use it keep it.</source>
+        <translation>%1 aus den eigenen Garnen löschen? Gestricke, die es benutzen, behalten es.</translation>
+    </message>
+    <message>
+        <source>All yarns</source>
+        <translation>Alle Garne</translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation>Eigene</translation>
     </message>
 </context>
 <context>
     <name>main</name>
     <message>
         <source>Turns knitting-machine programs into fabrics that settle while you watch.</source>
-        <translation type="unfinished" />
+        <translation>Macht aus Strickprogrammen Gestricke, die sich vor deinen Augen entspannen.</translation>
     </message>
 </context>
 <context>
     <name>messages</name>
     <message>
         <source>Note</source>
-        <translation type="unfinished" />
+        <translation>Hinweis</translation>
     </message>
     <message>
         <source>Warning</source>
-        <translation type="unfinished" />
+        <translation>Warnung</translation>
     </message>
     <message>
         <source>Error</source>
-        <translation type="unfinished" />
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>line %1</source>
-        <translation type="unfinished" />
+        <translation>Zeile %1</translation>
     </message>
     <message>
         <source>course %1</source>

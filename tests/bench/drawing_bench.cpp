@@ -90,6 +90,9 @@ void drawing(benchmark::State& state) {
     render::View view;
     view.width = kWidth;
     view.height = kHeight;
+    if (state.range(2) != 0) {
+        view.level = render::DetailLevel::Yarn;
+    }
     view.camera.setViewport(kWidth, kHeight);
     view.camera.setScene(frame->bounds);
     view.camera.fit(frame->bounds);
@@ -116,11 +119,12 @@ void drawing(benchmark::State& state) {
     state.counters["ratio to clearing"] = total / static_cast<double>(state.iterations()) / clearing;
 }
 BENCHMARK(drawing)
-    ->ArgNames({"style", "side"})
-    ->Args({static_cast<int>(DrawStyle::Yarn), 30})
-    ->Args({static_cast<int>(DrawStyle::Strokes), 30})
-    ->Args({static_cast<int>(DrawStyle::Mesh), 30})
-    ->Args({static_cast<int>(DrawStyle::Yarn), 100})
+    ->ArgNames({"style", "side", "full"})
+    ->Args({static_cast<int>(DrawStyle::Yarn), 30, 0})
+    ->Args({static_cast<int>(DrawStyle::Yarn), 30, 1})
+    ->Args({static_cast<int>(DrawStyle::Strokes), 30, 0})
+    ->Args({static_cast<int>(DrawStyle::Mesh), 30, 0})
+    ->Args({static_cast<int>(DrawStyle::Yarn), 100, 0})
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime() // of all threads: the software driver draws with several
     ->UseRealTime();

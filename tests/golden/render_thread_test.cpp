@@ -81,6 +81,43 @@ TEST_F(Threaded, withoutASceneDrawsTheBackgroundOnly) {
     EXPECT_EQ(picture->image.at(1, 4)[1], picture->image.at(10, 4)[1]);
 }
 
+TEST_F(Threaded, aContextThatIsLostIsMadeAnewWithTheSamePicture) {
+    m_thread->post(request(96, 66));
+    m_thread->wait();
+    const auto before = m_thread->take();
+    ASSERT_TRUE(before);
+
+    std::atomic<int> checks = 0;
+    const auto started = RenderThread::start([] {}, [&checks] { return ++checks == 2; });
+    ASSERT_TRUE(started);
+    started.value()->post(request(60, 40));
+    started.value()->wait(); // lost while the best picture is drawn, or with the next request
+    started.value()->post(request(96, 66));
+    started.value()->wait();
+    const auto after = started.value()->take();
+    EXPECT_GT(checks.load(), 2);
+    EXPECT_TRUE(started.value()->failure().empty());
+    ASSERT_TRUE(after);
+    ASSERT_EQ(after->image.width, 96);
+    if (before->quality == after->quality) {
+        EXPECT_EQ(test::compareBlocks(before->image, after->image).blocks, 0);
+    }
+}
+
+TEST_F(Threaded, aDriverThatIsResetAgainAndAgainIsGivenUp) {
+    std::atomic<int> called = 0;
+    auto started = RenderThread::start([&called] { ++called; }, [] { return true; });
+    ASSERT_TRUE(started);
+    started.value()->post(request(60, 40));
+    started.value()->wait();
+    EXPECT_EQ(started.value()->failure().front().id, "KS0401");
+    EXPECT_FALSE(started.value()->take());
+    started.value()->post(request(60, 40)); // is not drawn, and nobody waits for it
+    started.value()->wait();
+    started.value().reset();
+    EXPECT_EQ(called.load(), 1);
+}
+
 TEST_F(Threaded, endsWhileRequestsWait) {
     for (int i = 0; i < 5; ++i) {
         m_thread->post(request(400, 300));

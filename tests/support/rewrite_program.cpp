@@ -195,7 +195,8 @@ Program turnedOver(Program program) {
 }
 
 Program withCarriersAsideAtRacks(Program program) {
-    constexpr std::int32_t kFar = 200;
+    constexpr std::int32_t kFar = 200; ///< and each carrier so much farther that it never passes another one
+    constexpr std::int32_t kApart = 20;
     const machine::Timeline timeline(program, machine::genericProfile());
     Operations operations;
     for (std::size_t at = 0; at < program.operations.size(); ++at) {
@@ -204,7 +205,8 @@ Program withCarriersAsideAtRacks(Program program) {
             for (std::size_t c = 0; c < state.carriers.size(); ++c) {
                 if (state.carriers[c].in) {
                     const Direction side = c % 2 == 0 ? Direction::Left : Direction::Right;
-                    operations.push_back(missTo({Bed::Front, machine::sign(side) * kFar}, side,
+                    const std::int32_t far = kFar + kApart * static_cast<std::int32_t>(c);
+                    operations.push_back(missTo({Bed::Front, machine::sign(side) * far}, side,
                                                 static_cast<machine::CarrierIndex>(c)));
                 }
             }

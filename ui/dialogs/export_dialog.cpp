@@ -33,32 +33,35 @@ struct Choice {
 };
 
 constexpr std::array kChoices{
-    Choice{"png", QT_TRANSLATE_NOOP("ExportDialog", "Picture (PNG)"),
-           QT_TRANSLATE_NOOP("ExportDialog", "What you see, at any size."), true, true},
-    Choice{"svg", QT_TRANSLATE_NOOP("ExportDialog", "Drawing in three strokes (SVG)"),
-           QT_TRANSLATE_NOOP("ExportDialog",
+    Choice{"png", QT_TRANSLATE_NOOP("knittsim::ui::ExportDialog", "Picture (PNG)"),
+           QT_TRANSLATE_NOOP("knittsim::ui::ExportDialog", "What you see, at any size."), true, true},
+    Choice{"svg", QT_TRANSLATE_NOOP("knittsim::ui::ExportDialog", "Drawing in three strokes (SVG)"),
+           QT_TRANSLATE_NOOP("knittsim::ui::ExportDialog",
                              "Lines in millimetres; at every crossing the front yarn lies on top."),
            false, true},
-    Choice{"glb", QT_TRANSLATE_NOOP("ExportDialog", "Geometry, glTF binary (GLB)"),
-           QT_TRANSLATE_NOOP("ExportDialog",
+    Choice{"glb", QT_TRANSLATE_NOOP("knittsim::ui::ExportDialog", "Geometry, glTF binary (GLB)"),
+           QT_TRANSLATE_NOOP("knittsim::ui::ExportDialog",
                              "A closed tube for each yarn, in metres, with its colour. One file."),
            false, false},
-    Choice{"gltf", QT_TRANSLATE_NOOP("ExportDialog", "Geometry, glTF text (GLTF)"),
-           QT_TRANSLATE_NOOP("ExportDialog", "As the binary form, a third larger."), false, false},
+    Choice{"gltf", QT_TRANSLATE_NOOP("knittsim::ui::ExportDialog", "Geometry, glTF text (GLTF)"),
+           QT_TRANSLATE_NOOP("knittsim::ui::ExportDialog", "As the binary form, a third larger."), false,
+           false},
     Choice{
-        "obj", QT_TRANSLATE_NOOP("ExportDialog", "Geometry, Wavefront (OBJ)"),
-        QT_TRANSLATE_NOOP("ExportDialog",
+        "obj", QT_TRANSLATE_NOOP("knittsim::ui::ExportDialog", "Geometry, Wavefront (OBJ)"),
+        QT_TRANSLATE_NOOP("knittsim::ui::ExportDialog",
                           "A closed tube for each yarn, in millimetres; colours in an MTL file beside it."),
         false, false},
-    Choice{"bcc", QT_TRANSLATE_NOOP("ExportDialog", "Yarn curves (BCC)"),
-           QT_TRANSLATE_NOOP("ExportDialog", "The middle of each yarn as a curve, in millimetres."), false,
-           false},
-    Choice{"csv", QT_TRANSLATE_NOOP("ExportDialog", "Bonding points (CSV)"),
-           QT_TRANSLATE_NOOP("ExportDialog",
+    Choice{"bcc", QT_TRANSLATE_NOOP("knittsim::ui::ExportDialog", "Yarn curves (BCC)"),
+           QT_TRANSLATE_NOOP("knittsim::ui::ExportDialog",
+                             "The middle of each yarn as a curve, in millimetres."),
+           false, false},
+    Choice{"csv", QT_TRANSLATE_NOOP("knittsim::ui::ExportDialog", "Bonding points (CSV)"),
+           QT_TRANSLATE_NOOP("knittsim::ui::ExportDialog",
                              "A line for each bonding point: yarn, role, needle, place in millimetres."),
            false, false},
-    Choice{"frames", QT_TRANSLATE_NOOP("ExportDialog", "Pictures of the settling (folder of PNG)"),
-           QT_TRANSLATE_NOOP("ExportDialog",
+    Choice{"frames",
+           QT_TRANSLATE_NOOP("knittsim::ui::ExportDialog", "Pictures of the settling (folder of PNG)"),
+           QT_TRANSLATE_NOOP("knittsim::ui::ExportDialog",
                              "From the machine to rest, seen from one place: 0001.png, 0002.png, ..."),
            true, true}};
 
@@ -170,7 +173,7 @@ ExportDialog::~ExportDialog() {
 
 void ExportDialog::takeFormat() {
     const Choice& choice = kChoices[static_cast<std::size_t>(m_format->currentIndex())];
-    m_hint->setText(tr(choice.hint));
+    m_hint->setText(hintFor(choice.hint, choice.sized));
     enableControls();
     const QFileInfo before(m_path->text());
     const bool known = std::ranges::any_of(
@@ -178,6 +181,18 @@ void ExportDialog::takeFormat() {
     const QString stem = known ? m_path->text().chopped(before.suffix().size() + 1) : m_path->text();
     m_path->setText(stem + u'.' + QLatin1String(choice.extension));
     m_problem->clear();
+}
+
+/// Says also what of the fabric is written.
+QString ExportDialog::hintFor(const char* hint, bool picture) const {
+    QString text = tr(hint);
+    if (!m_source.keep.empty()) {
+        text += u' ' + tr("As shown: %1.").arg(m_source.parts);
+    }
+    if (m_source.section && !picture) {
+        text += u' ' + tr("What the section cuts away is written too.");
+    }
+    return text;
 }
 
 void ExportDialog::browse() {

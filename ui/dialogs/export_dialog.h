@@ -34,6 +34,7 @@ signals:
 
 private:
     void takeFormat();
+    QString hintFor(const char* hint, bool picture) const;
     void browse();
     void start();
     void finish(const Diagnostics& problems);

@@ -40,6 +40,7 @@ render::RenderRequest requestFor(const ExportJob& job) {
     request.width = job.width;
     request.height = job.height;
     request.hair = job.source.hair;
+    request.level = job.source.level;
     request.dark = job.source.dark;
     request.transparent = job.transparent;
     return request;
@@ -84,6 +85,7 @@ Result<Written> writeGeometry(const ExportJob& job, const Progress& progress) {
     if (!shape) {
         return Diagnostic{.id = "KS0009", .place = {.file = job.path.string()}, .arguments = {}};
     }
+    shape = exports::partOf(std::move(*shape), source.keep);
     const bool seenFromBehind = std::cos(source.camera.yaw) < 0;
     const bool back =
         job.side == ExportJob::Side::Back || (job.side == ExportJob::Side::AsSeen && seenFromBehind);

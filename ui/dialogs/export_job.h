@@ -10,6 +10,8 @@
 #include "ui/render/look.h"
 #include "ui/render/section.h"
 
+#include <QString>
+
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -27,8 +29,10 @@ struct ExportSource {
     render::DrawStyle style = render::DrawStyle::Yarn;
     render::CameraState camera;
     std::optional<render::Section> section;
-    std::vector<bool> keep; ///< by bonding point: what pictures show; empty: all
+    std::vector<bool> keep; ///< by bonding point: what is written; empty: all
+    QString parts;          ///< what that is, in words
     bool hair = true;       ///< see render::View
+    std::optional<render::DetailLevel> level;
     bool dark = false;
 };
 

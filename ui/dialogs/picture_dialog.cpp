@@ -1,5 +1,6 @@
 #include "ui/dialogs/picture_dialog.h"
 
+#include "ui/dialogs/picture_reading.h"
 #include "ui/document/mailbox.h"
 
 #include <QCheckBox>
@@ -9,9 +10,7 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QImageReader>
 #include <QLabel>
-#include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
@@ -29,29 +28,6 @@ constexpr int kMostWales = 500;
 constexpr int kMostCourses = 1000;
 constexpr int kFirstWales = 60;
 constexpr int kMostColours = 8;
-
-/// Or why there is none.
-std::pair<std::shared_ptr<const pattern::Picture>, QString> pictureOf(const QString& path) {
-    QImageReader reader(path);
-    reader.setAutoTransform(true);
-    const QImage read = reader.read();
-    if (read.isNull()) {
-        return {nullptr, reader.errorString()};
-    }
-    // What can be seen through is white, as paper.
-    QImage image(read.size(), QImage::Format_RGB888);
-    image.fill(Qt::white);
-    QPainter(&image).drawImage(0, 0, read);
-    auto picture = std::make_shared<pattern::Picture>();
-    picture->width = image.width();
-    picture->height = image.height();
-    picture->rgb.reserve(std::size_t(image.width()) * std::size_t(image.height()) * 3);
-    for (int y = 0; y < image.height(); ++y) {
-        const uchar* row = image.constScanLine(y);
-        picture->rgb.insert(picture->rgb.end(), row, row + std::ptrdiff_t{image.width()} * 3);
-    }
-    return {picture, {}};
-}
 
 } // namespace
 
@@ -121,8 +97,14 @@ void PictureDialog::build() {
     m_dither->setToolTip(tr("Dithering: shades between the yarns from afar, single stitches from near"));
     m_method->setObjectName(QStringLiteral("pictureMethod"));
     m_method->setToolTip(tr("How the colours are knitted"));
-    m_method->addItem(tr("Float jacquard"));
-    m_method->addItem(tr("Intarsia"));
+    for (const auto& [name, help] : // by ColourMethod
+         {std::pair{tr("Float jacquard"), tr("Yarns that do not show float behind the stitches")},
+          {tr("Intarsia"), tr("Every yarn stays in its own zone")},
+          {tr("Birdseye back"), tr("Both beds: yarns that do not show knit every second needle behind")},
+          {tr("Ladder back"), tr("Both beds: yarns that do not show knit every fourth needle behind")}}) {
+        m_method->addItem(name);
+        m_method->setItemData(m_method->count() - 1, help, Qt::ToolTipRole);
+    }
 
     auto* form = new QFormLayout;
     form->addRow(tr("&Wales"), m_wales);
@@ -180,8 +162,17 @@ bool PictureDialog::usesOwnYarns() const {
 
 void PictureDialog::readPicture(const QString& path) {
     m_words->setText(tr("Reading the picture"));
-    QThreadPool::globalInstance()->start([this, path, mailbox = m_mailbox] {
-        mailbox->post([this, read = pictureOf(path)] { takePicture(read.first, read.second); });
+    const int round = m_round->load();
+    QThreadPool::globalInstance()->start([this, path, round, newest = m_round, mailbox = m_mailbox] {
+        int told = 0;
+        const auto tell = [&](double share) {
+            if (const int percent = static_cast<int>(100 * share); percent > told) {
+                told = percent;
+                mailbox->post([this, percent] { m_progress->setValue(percent); });
+            }
+            return newest->load() == round; // closing the window ends it
+        };
+        mailbox->post([this, read = readPictureFile(path, tell)] { takePicture(read.first, read.second); });
     });
 }
 
@@ -292,8 +283,7 @@ void PictureDialog::resizeEvent(QResizeEvent* event) {
 }
 
 pattern::Chart PictureDialog::chart() const {
-    const auto method =
-        m_method->currentIndex() == 1 ? pattern::ColourMethod::Intarsia : pattern::ColourMethod::Float;
+    const auto method = static_cast<pattern::ColourMethod>(std::max(0, m_method->currentIndex()));
     std::vector<std::string> carriers = m_carriers;
     if (usesOwnYarns()) {
         carriers.clear();

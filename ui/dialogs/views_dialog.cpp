@@ -2,6 +2,7 @@
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -20,6 +21,7 @@ ViewsDialog::ViewsDialog(document::NamedViews& views, QWidget* parent)
     m_list->setObjectName(QStringLiteral("viewList"));
     m_list->setAccessibleName(tr("Named views"));
     m_list->setToolTip(tr("Double click shows a view, F2 renames it"));
+    m_list->setSpacing(3);
     m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
     m_show->setToolTip(tr("Puts the camera there (Enter)"));
     m_show->setDefault(true);
@@ -36,6 +38,9 @@ ViewsDialog::ViewsDialog(document::NamedViews& views, QWidget* parent)
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(20, 18, 20, 14);
     rows->setSpacing(12);
+    auto* help = new QLabel(tr("Double click shows a view, F2 renames it."), this);
+    help->setForegroundRole(QPalette::PlaceholderText);
+    rows->addWidget(help);
     rows->addWidget(m_list, 1);
     rows->addLayout(buttons);
     setMinimumWidth(420);

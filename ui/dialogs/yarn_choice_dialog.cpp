@@ -10,6 +10,8 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace knittsim::ui {
 
@@ -21,11 +23,26 @@ QIcon swatch(yarn::Colour colour) {
     return QIcon(pixels);
 }
 
+/// What is most like `present` without being it: a comparison begins with a small step.
+int nearestTo(const yarn::Yarn& present, const std::vector<yarn::Yarn>& yarns) {
+    const auto farness = [&](const yarn::Yarn& yarn) {
+        return yarn.id == present.id ? std::numeric_limits<double>::infinity()
+                                     : std::abs(yarn.outerDiameterMm - present.outerDiameterMm);
+    };
+    return static_cast<int>(std::ranges::min_element(yarns, {}, farness) - yarns.begin());
+}
+
+QString thickness(const yarn::Yarn& yarn) {
+    return QLocale().toString(yarn.outerDiameterMm, 'f', 2);
+}
+
 } // namespace
 
 YarnChoiceDialog::YarnChoiceDialog(const document::Document& document, QWidget* parent)
-    : QDialog(parent), m_yarns(document.library().yarns()), m_carrier(new QComboBox(this)),
-      m_yarn(new QComboBox(this)), m_facts(new QLabel(this)) {
+    : QDialog(parent), m_document(document), m_yarns(document.library().yarns()),
+      m_carrier(new QComboBox(this)), m_yarn(new QComboBox(this)), m_facts(new QLabel(this)) {
+    m_facts->setMinimumHeight(2 * fontMetrics().lineSpacing()); // so that nothing moves when the words change
+    m_facts->setAlignment(Qt::AlignTop);
     setObjectName(QStringLiteral("yarnChoiceDialog"));
     setWindowTitle(tr("Compare with another yarn"));
     m_carrier->setObjectName(QStringLiteral("yarnChoiceCarrier"));
@@ -72,6 +89,10 @@ YarnChoiceDialog::YarnChoiceDialog(const document::Document& document, QWidget* 
         }
         accept();
     });
+    connect(m_carrier, &QComboBox::currentIndexChanged, this, &YarnChoiceDialog::takeYarn);
+    if (!carriers.empty() && !m_yarns.empty()) {
+        m_yarn->setCurrentIndex(nearestTo(carriers.front().yarn, m_yarns));
+    }
     takeYarn();
 }
 
@@ -80,9 +101,18 @@ void YarnChoiceDialog::takeYarn() {
         return;
     }
     const yarn::Yarn& yarn = m_yarns[static_cast<std::size_t>(m_yarn->currentIndex())];
-    m_facts->setText(tr("%1, %2, %3 mm thick")
-                         .arg(QString::fromStdString(yarn.count), QString::fromStdString(yarn.fibre),
-                              QLocale().toString(yarn.outerDiameterMm, 'f', 2)));
+    QString facts =
+        tr("%1, %2, %3 mm thick")
+            .arg(QString::fromStdString(yarn.count), QString::fromStdString(yarn.fibre), thickness(yarn));
+    const int carrier = m_carrier->currentData().toInt();
+    const auto& carriers = m_document.carriers();
+    if (carrier >= 0 && static_cast<std::size_t>(carrier) < carriers.size()) {
+        const yarn::Yarn& present = carriers[static_cast<std::size_t>(carrier)].yarn;
+        facts +=
+            u'\n' +
+            tr("instead of %1, %2 mm thick").arg(QString::fromStdString(present.name), thickness(present));
+    }
+    m_facts->setText(facts);
 }
 
 } // namespace knittsim::ui

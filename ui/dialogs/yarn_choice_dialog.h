@@ -22,6 +22,7 @@ signals:
 private:
     void takeYarn();
 
+    const document::Document& m_document;
     std::vector<yarn::Yarn> m_yarns;
     QComboBox* m_carrier;
     QComboBox* m_yarn;

@@ -110,8 +110,8 @@ public:
     QString title() const { return m_title; } ///< of the open file
     QString path() const { return m_path; }   ///< empty for what is not in a file
     void keepCopy() { m_recovery.write(); }   ///< of unsaved changes, at once
-    /// Writes the project; the undo stack is clean then. `thumbnail`: base64. Errors: KS0002.
-    Diagnostics save(const QString& path, const QByteArray& thumbnail = {});
+    /// Writes the project; the undo stack is clean then. Errors: KS0002.
+    Diagnostics save(const QString& path, const pattern::ProjectLook& look = {});
 
     /// Operations carried out in what is shown; 0 .. operationCount().
     OperationIndex step() const { return m_step; }
@@ -248,11 +248,6 @@ private:
     void setPoint(fabric::PointIndex point);
     fabric::PointIndex firstPointOf(LoopIndex loop) const;
     void applyYarn(int carrier, const yarn::Yarn& yarn);
-    void startYarn();
-    void pin(fabric::PointIndex point, bool pinned);
-    void forgetPins();
-    /// -1 where the whole fabric has none, or not yet.
-    fabric::EntryIndex wholeEntryOf(fabric::PointIndex point) const;
     bool showsPrefix() const { return m_prefix != nullptr; }
     void updateShownFrame();
 
@@ -268,6 +263,7 @@ private:
     void rebuild();
     void takeRebuilt(const std::shared_ptr<const OpenedFile>& file);
     void update(const std::shared_ptr<const OpenedFile>& file);
+    void followWithYarn();
 
     // document_ladder.cpp
     void countLoops();
@@ -278,6 +274,13 @@ private:
     std::vector<float> presentPlaces() const;
     std::vector<float> placesOf(const std::vector<fabric::EntryIndex>& entries) const;
     void showWhole(std::shared_ptr<const fabric::Fabric> fabric, std::vector<float> places);
+
+    // document_simulation.cpp
+    void startYarn();
+    void pin(fabric::PointIndex point, bool pinned);
+    void forgetPins();
+    /// -1 where the whole fabric has none, or not yet.
+    fabric::EntryIndex wholeEntryOf(fabric::PointIndex point) const;
 
     std::shared_ptr<const yarn::YarnLibrary> m_library;
     Opener m_opener;
@@ -308,6 +311,7 @@ private:
     SimulationBridge m_bridge;
     QString m_integrator;
     YarnRun m_yarnRun;
+    bool m_yarnFollows = false; ///< once the bonding points of an edited chart are at rest
     std::vector<fabric::PointIndex> m_pins;
     LadderRunner m_ladders;
     fabric::Runs m_runs; ///< of m_whole, or of the fabric before the ladder that runs

@@ -139,6 +139,7 @@ void Document::takeRebuilt(const std::shared_ptr<const OpenedFile>& file) {
 /// The window goes on: undo, yarns that were given to carriers and the camera stay.
 void Document::update(const std::shared_ptr<const OpenedFile>& file) {
     const bool atEnd = m_step == operationCount();
+    m_yarnFollows = atEnd && (m_yarnFollows || m_yarnRun.exists());
     std::vector<CarrierYarn> carriers = file->carriers;
     for (std::size_t i = 0; i < std::min(carriers.size(), m_carriers.size()); ++i) {
         if (carriers[i] == m_file->carriers[i]) {
@@ -154,6 +155,14 @@ void Document::update(const std::shared_ptr<const OpenedFile>& file) {
     }
     tellFile(false);
     start();
+}
+
+/// Who looks at yarn sees yarn again after an edit: first the bonding points, at rest the yarn.
+void Document::followWithYarn() {
+    if (m_yarnFollows && activity() == Activity::AtRest) {
+        m_yarnFollows = false;
+        startYarn();
+    }
 }
 
 bool Document::fabricFollowsChart() const {
@@ -207,12 +216,12 @@ int Document::knittedCourses() const {
     return static_cast<int>(end - m_file->chartCourseEnds.begin());
 }
 
-Diagnostics Document::save(const QString& path, const QByteArray& thumbnail) {
+Diagnostics Document::save(const QString& path, const pattern::ProjectLook& look) {
     if (!m_project) {
         return {};
     }
     const auto written = writeFileAtomically(std::filesystem::path(path.toStdString()),
-                                             pattern::writeProject(*m_project, thumbnail.toStdString()));
+                                             pattern::writeProject(*m_project, look));
     if (written) {
         m_path = path;
         m_title = QFileInfo(path).fileName();

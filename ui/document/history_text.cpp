@@ -20,6 +20,8 @@ QString tr(const char* text) {
 }
 
 class Words {
+    Q_DECLARE_TR_FUNCTIONS(knittsim::document::Words)
+
 public:
     Words(const machine::Timeline& timeline, const PointHistory& history)
         : m_timeline(timeline), m_history(history) {}

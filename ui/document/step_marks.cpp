@@ -1,8 +1,65 @@
 #include "ui/document/step_marks.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
 #include <algorithm>
 
 namespace knittsim::document {
+
+namespace {
+
+using machine::OperationKind;
+
+const QString kBookmarks = QStringLiteral("bookmarks");
+const QString kFrom = QStringLiteral("from");
+const QString kTo = QStringLiteral("to");
+const QString kKinds = QStringLiteral("kinds");
+const QString kNeedle = QStringLiteral("needle");
+const QString kCarrier = QStringLiteral("carrier");
+const QString kRacked = QStringLiteral("racked");
+const QString kProblem = QStringLiteral("problem");
+
+QString nameOf(OperationKind kind) {
+    return QString::fromUtf8(toString(kind));
+}
+
+void write(QJsonObject& object, const StopRules& rules) {
+    QJsonArray kinds;
+    for (int i = 0; i < machine::kOperationKindCount; ++i) {
+        if (const auto kind = static_cast<OperationKind>(i); rules.has(kind)) {
+            kinds.append(nameOf(kind));
+        }
+    }
+    object[kKinds] = kinds;
+    if (rules.needle) {
+        object[kNeedle] = QString::fromStdString(machine::toString(*rules.needle));
+    }
+    if (rules.carrier) {
+        object[kCarrier] = static_cast<int>(*rules.carrier);
+    }
+    object[kRacked] = rules.racked;
+    object[kProblem] = rules.problem;
+}
+
+StopRules readRules(const QJsonObject& object) {
+    StopRules rules;
+    const QJsonArray kinds = object[kKinds].toArray();
+    for (int i = 0; i < machine::kOperationKindCount; ++i) {
+        const auto kind = static_cast<OperationKind>(i);
+        rules.set(kind, kinds.contains(nameOf(kind)));
+    }
+    rules.needle = needleFromText(object[kNeedle].toString().toStdString());
+    if (const int carrier = object[kCarrier].toInt(-1); carrier >= 0 && carrier <= UINT8_MAX) {
+        rules.carrier = static_cast<machine::CarrierIndex>(carrier);
+    }
+    rules.racked = object[kRacked].toBool();
+    rules.problem = object[kProblem].toBool();
+    return rules;
+}
+
+} // namespace
 
 void StepMarks::clear() {
     m_bookmarks.clear();
@@ -65,6 +122,35 @@ void StepMarks::endLoop() {
 void StepMarks::setRules(const StopRules& rules) {
     m_rules = rules;
     emit changed();
+}
+
+QByteArray StepMarks::save() const {
+    QJsonArray bookmarks;
+    for (const Step step : m_bookmarks) {
+        bookmarks.append(step);
+    }
+    QJsonObject object{{kBookmarks, bookmarks}, {kFrom, m_from}, {kTo, m_to}};
+    write(object, m_rules);
+    return QJsonDocument(object).toJson(QJsonDocument::Compact);
+}
+
+bool StepMarks::restore(const QByteArray& text) {
+    const QJsonDocument read = QJsonDocument::fromJson(text);
+    if (!read.isObject()) {
+        return false;
+    }
+    const QJsonObject object = read.object();
+    m_bookmarks.clear();
+    for (const auto& value : object[kBookmarks].toArray()) {
+        if (const int step = value.toInt(kNone); step >= 0) {
+            m_bookmarks.insert(step);
+        }
+    }
+    m_from = std::max(kNone, object[kFrom].toInt(kNone));
+    m_to = std::max(kNone, object[kTo].toInt(kNone));
+    m_rules = readRules(object);
+    emit changed();
+    return true;
 }
 
 StepMarks::Move StepMarks::play(const StopFinder& finder, Step from, int due, Step end) const {

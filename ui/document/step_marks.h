@@ -6,6 +6,7 @@
 #include <set>
 #endif
 
+#include <QByteArray>
 #include <QObject>
 
 namespace knittsim::document {
@@ -43,6 +44,11 @@ public:
 
     const StopRules& rules() const { return m_rules; }
     void setRules(const StopRules& rules);
+
+    /// All of it as text (JSON), for keeping between runs.
+    QByteArray save() const;
+    /// Takes what save() wrote, and what of it can be used from other text; true unless nothing can be.
+    bool restore(const QByteArray& text);
 
     /// Where playing goes from `from` when `due` more steps are due, and whether it stops there.
     struct Move {

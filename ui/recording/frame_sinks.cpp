@@ -12,11 +12,9 @@ namespace knittsim::ui {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("knittsim::ui", text);
-}
-
 class PngSink : public FrameSink {
+    Q_DECLARE_TR_FUNCTIONS(knittsim::ui::PngSink)
+
 public:
     explicit PngSink(const QString& folder)
         : m_folder(folder), m_hidden(QFileInfo(folder).absolutePath() + QStringLiteral("/.knittsim-XXXXXX")) {
@@ -55,6 +53,8 @@ private:
 };
 
 class HandoutSink : public FrameSink {
+    Q_DECLARE_TR_FUNCTIONS(knittsim::ui::HandoutSink)
+
 public:
     HandoutSink(const QString& path, const QString& title) : m_path(path), m_title(title), m_file(path) {
         m_fine = m_file.open(QIODevice::WriteOnly);
@@ -81,9 +81,10 @@ public:
         const QRect page(QPoint(0, 0), QSize(m_writer->width(), m_writer->height()));
         const int titleHigh = page.height() / 24;
         QFont face = m_painter.font();
-        face.setPointSizeF(11);
-        m_painter.setFont(face);
         if (slot == 0) {
+            face.setPointSizeF(15);
+            face.setBold(true);
+            m_painter.setFont(face);
             m_painter.drawText(QRect(0, 0, page.width(), titleHigh), Qt::AlignLeft | Qt::AlignTop, m_title);
         }
         const int high = (page.height() - titleHigh) / kOnPage;
@@ -93,6 +94,7 @@ public:
         size.scale(QSize(box.width(), box.height() - text.height() - 20), Qt::KeepAspectRatio);
         m_painter.drawImage(QRect(box.topLeft(), size), picture);
         face.setPointSizeF(12);
+        face.setBold(false);
         m_painter.setFont(face);
         m_painter.drawText(text, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
                            QStringLiteral("%1. %2").arg(m_count).arg(words));

@@ -10,11 +10,9 @@ namespace knittsim::ui {
 
 namespace {
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("knittsim::ui", text);
-}
-
 class WebpSink : public FrameSink {
+    Q_DECLARE_TR_FUNCTIONS(knittsim::ui::WebpSink)
+
 public:
     explicit WebpSink(const QString& path) : m_path(path) {}
     ~WebpSink() override { WebPAnimEncoderDelete(m_encoder); }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <dlfcn.h>
+#include <vector>
 
 namespace knittsim::render {
 
@@ -32,13 +33,15 @@ EGLDisplay openDisplay() {
 
 EGLContext makeContext(EGLDisplay display) {
     constexpr std::array<EGLint, 3> kConfig{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
-    constexpr std::array<EGLint, 7> kContext{EGL_CONTEXT_MAJOR_VERSION,
-                                             3,
-                                             EGL_CONTEXT_MINOR_VERSION,
-                                             3,
-                                             EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                             EGL_NONE};
+    std::vector<EGLint> wanted{EGL_CONTEXT_MAJOR_VERSION,
+                               3,
+                               EGL_CONTEXT_MINOR_VERSION,
+                               3,
+                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                               EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                               EGL_LOSE_CONTEXT_ON_RESET,
+                               EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!eglBindAPI(EGL_OPENGL_API)) {
@@ -47,7 +50,13 @@ EGLContext makeContext(EGLDisplay display) {
     if (!eglChooseConfig(display, kConfig.data(), &config, 1, &count) || count < 1) {
         config = nullptr; // EGL_NO_CONFIG_KHR
     }
-    return eglCreateContext(display, config, EGL_NO_CONTEXT, kContext.data());
+    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, wanted.data());
+    if (context != EGL_NO_CONTEXT) {
+        return context;
+    }
+    wanted.resize(wanted.size() - 3); // older drivers do not tell of resets
+    wanted.push_back(EGL_NONE);
+    return eglCreateContext(display, config, EGL_NO_CONTEXT, wanted.data());
 }
 
 } // namespace

@@ -25,6 +25,7 @@ struct View {
     int left = 0; ///< pixel of the picture at the framebuffer's lower left corner, which may be smaller
     int bottom = 0;
     Quality quality = Quality::Fast;
+    std::optional<DetailLevel> level{}; ///< nothing: as the yarn's width on the screen asks
     std::optional<Section> section{};
     bool hair = true; ///< loose fibres of hairy yarn seen near by
     bool dark = false;
@@ -37,6 +38,9 @@ class FabricRenderer {
 public:
     /// Errors: KS0402 (older than OpenGL 3.3 core), KS0403 (a shader does not build).
     static Result<std::unique_ptr<FabricRenderer>> create();
+
+    /// Whether the driver has reset the current context: nothing that was made in it is left.
+    static bool contextIsLost();
 
     ~FabricRenderer();
     FabricRenderer(const FabricRenderer&) = delete;

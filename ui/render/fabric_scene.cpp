@@ -2,6 +2,7 @@
 
 #include "core/fabric/machine_shape.h"
 #include "core/geometry/yarn_frame.h"
+#include "ui/render/finer_curves.h"
 #include "ui/render/scene_chunks.h"
 
 #include <Eigen/Geometry>
@@ -32,6 +33,12 @@ std::uint32_t packDirection(const Vec3f& direction) {
         x = foldedX;
     }
     return quantise(x, -1, 1, 2046) | quantise(y, -1, 1, 2046) << 11;
+}
+
+/// Pieces for each piece of given curves: fewer for large fabrics, whose stitches are small on the screen.
+int finenessFor(const fabric::Fabric& fabric) {
+    const std::size_t loops = fabric.loops.size();
+    return loops > 5000 ? 1 : loops > 1500 ? 2 : 4;
 }
 
 std::vector<double> diametersOf(const fabric::Fabric& fabric, std::span<const YarnLook> looks) {
@@ -159,8 +166,15 @@ std::shared_ptr<const SceneFrame> FabricScene::prepare(std::span<const float> po
     return frame;
 }
 
-std::shared_ptr<const SceneFrame> FabricScene::prepareCurves(const geometry::YarnCurves& curves,
-                                                             std::span<const float> values) {
+std::shared_ptr<const SceneFrame> FabricScene::prepareCurves(const geometry::YarnCurves& given,
+                                                             std::span<const float> givenValues) {
+    const int times = finenessFor(*m_fabric);
+    const bool valued = givenValues.size() == given.nodes.size();
+    const geometry::YarnCurves fine = times > 1 ? finer(given, times) : geometry::YarnCurves();
+    const std::vector<float> fineValues =
+        times > 1 && valued ? finer(given, givenValues, times) : std::vector<float>();
+    const geometry::YarnCurves& curves = times > 1 ? fine : given;
+    const std::span<const float> values = times > 1 ? std::span<const float>(fineValues) : givenValues;
     auto topology = std::make_shared<SceneTopology>(*m_topology);
     topology->owner.clear();
     topology->yarns.clear();

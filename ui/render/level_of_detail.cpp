@@ -4,24 +4,73 @@
 
 namespace knittsim::render {
 
-Detail detailAt(float diameterPixels, float diametersPerSegment, Quality quality) {
+namespace {
+
+constexpr int kRound = 8;
+constexpr int kRoundFarAway = 6; ///< what has plies is round all around
+
+Detail atLevel(Detail detail, DetailLevel level) {
+    switch (level) {
+    case DetailLevel::Strokes:
+        detail.sides = 0;
+        detail.plies = 0;
+        break;
+    case DetailLevel::Tubes:
+        detail.sides = std::max(detail.sides, 3);
+        detail.plies = 0;
+        break;
+    case DetailLevel::Yarn:
+        detail.sides = std::max(detail.sides, kRoundFarAway);
+        detail.plies = 1;
+        break;
+    }
+    return detail;
+}
+
+} // namespace
+
+float millimetresPerPixel(const View& view) {
+    return 2 * view.camera.state().halfHeight / static_cast<float>(std::max(1, view.height));
+}
+
+Detail detailAt(float diameterPixels, float diametersPerSegment, Quality quality,
+                std::optional<DetailLevel> fixed) {
     const bool best = quality == Quality::Best;
     const float pliesFrom = best ? 9.0F : 17.0F;
     Detail detail;
     detail.plies = std::clamp((diameterPixels - pliesFrom) / 8.0F, 0.0F, 1.0F);
+    detail.hair = detail.plies;
     detail.sides = diameterPixels < (best ? 4.0F : 7.0F) ? 0
                    : diameterPixels < pliesFrom          ? 3
-                   : diameterPixels < 40.0F              ? 8
+                   : diameterPixels < 40.0F              ? kRound
                                                          : 14;
     const float longest = best                         ? 0.25F
-                          : diameterPixels < 7         ? 0.75F
+                          : diameterPixels < 5         ? 0.75F
                           : diameterPixels < pliesFrom ? 0.5F
                                                        : 0.25F;
     while (detail.stride < kMostStride &&
            2.0F * static_cast<float>(detail.stride) * diametersPerSegment <= longest) {
         detail.stride *= 2;
     }
-    return detail;
+    return fixed ? atLevel(detail, *fixed) : detail;
+}
+
+DetailLevel levelOf(const Detail& detail) {
+    return detail.plies > 0   ? DetailLevel::Yarn
+           : detail.sides > 0 ? DetailLevel::Tubes
+                              : DetailLevel::Strokes;
+}
+
+DetailLevel levelDrawn(const SceneFrame& frame, std::span<const YarnLook> looks, const View& view) {
+    const float perPixel = millimetresPerPixel(view);
+    float thickest = 0;
+    for (const Chunk& chunk : frame.chunks) {
+        const double diameter =
+            chunk.carrier < looks.size() ? looks[chunk.carrier].diameterMm : YarnLook().diameterMm;
+        thickest = std::max(thickest, static_cast<float>(diameter));
+    }
+    return levelOf(
+        detailAt(thickest / perPixel, frame.segmentMm / std::max(1e-6F, thickest), view.quality, view.level));
 }
 
 Frustum::Frustum(const Camera& camera) {

@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <optional>
+#include <span>
 
 namespace knittsim::render {
 
@@ -13,10 +15,21 @@ struct Detail {
     int sides = 0;   ///< of the tube; 0: a band does, 3: a ridge towards the viewer
     int stride = 1;  ///< every how many nodes, a power of two up to kMostStride
     float plies = 0; ///< 0 hidden .. 1 fully shown
+    float hair = 0;  ///< likewise the loose fibres, which no fixed level brings nearer
 };
 
-/// From a yarn's width on the screen in pixels and the distance of its nodes.
-Detail detailAt(float diameterPixels, float diametersPerSegment, Quality quality);
+/// Of the picture, which has more pixels than the window on fine screens.
+float millimetresPerPixel(const View& view);
+
+/// From a yarn's width on the screen in pixels and the distance of its nodes; at one level where that is
+/// `fixed`.
+Detail detailAt(float diameterPixels, float diametersPerSegment, Quality quality,
+                std::optional<DetailLevel> fixed = {});
+
+DetailLevel levelOf(const Detail& detail);
+
+/// Of the thickest yarn of a frame, as the renderer draws it; in styles other than Mesh. `looks` by carrier.
+DetailLevel levelDrawn(const SceneFrame& frame, std::span<const YarnLook> looks, const View& view);
 
 /// Tests spheres against the four sides of what a camera sees.
 class Frustum {

@@ -13,6 +13,13 @@ enum class DrawStyle : std::uint8_t {
     Mesh,    ///< bonding points and the yarn between them, straight
 };
 
+/// How finely yarns are drawn, from far to near.
+enum class DetailLevel : std::uint8_t {
+    Strokes, ///< flat bands that are lit as if they were round
+    Tubes,   ///< round, without plies
+    Yarn,    ///< round, with plies and fibres
+};
+
 /// Colours of the bonding points in the bare mesh, by role.
 struct MeshColours {
     yarn::Colour foot, head, crossing;

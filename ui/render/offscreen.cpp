@@ -21,6 +21,7 @@ View viewOf(const RenderRequest& request, const geometry::Bounds& bounds) {
     view.quality = Quality::Best;
     view.section = request.section;
     view.hair = request.hair;
+    view.level = request.level;
     view.dark = request.dark;
     view.transparent = request.transparent;
     view.camera.setViewport(request.width, request.height);

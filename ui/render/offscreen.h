@@ -34,7 +34,8 @@ struct RenderRequest {
     std::vector<bool> keep; ///< by bonding point: what is drawn; empty: all
     int width = 1280;
     int height = 800;
-    bool hair = true;         ///< see View
+    bool hair = true; ///< see View
+    std::optional<DetailLevel> level{};
     bool dark = false;        ///< background
     bool transparent = false; ///< no background
     int part = 2048;          ///< pixels; larger pictures are drawn part by part

@@ -31,11 +31,16 @@ public:
         Image image;
         double milliseconds = 0;
         Quality quality = Quality::Fast;
+        std::optional<DetailLevel> level{}; ///< drawn; nothing without a scene
+        bool tooLarge = false;              ///< for the graphics driver: only the background is drawn
     };
 
     /// `ready` is called on the thread when a picture or a failure waits; it must be quick and thread-safe.
-    /// Waits until the context is made. Errors: KS0401, KS0402, KS0403.
-    static Result<std::unique_ptr<RenderThread>> start(std::function<void()> ready);
+    /// Waits until the context is made. When the driver resets it, which `lost` finds out after each picture,
+    /// the thread begins anew with another one and draws the last request again. Errors: KS0401, KS0402,
+    /// KS0403.
+    static Result<std::unique_ptr<RenderThread>>
+    start(std::function<void()> ready, std::function<bool()> lost = FabricRenderer::contextIsLost);
 
     ~RenderThread();
     RenderThread(const RenderThread&) = delete;
@@ -46,22 +51,32 @@ public:
     /// The latest picture if there is one that was not taken yet.
     std::optional<Picture> take();
 
+    /// Why nothing more will be drawn; empty while all is well.
+    Diagnostics failure() const;
+
     /// Waits until nothing is left to draw.
     void wait();
 
-    const std::string& rendererName() const { return m_rendererName; }
+    std::string rendererName() const;
 
 private:
-    explicit RenderThread(std::function<void()> ready) : m_ready(std::move(ready)) {}
+    RenderThread(std::function<void()> ready, std::function<bool()> lost)
+        : m_ready(std::move(ready)), m_lost(std::move(lost)) {}
 
     void run();
-    void serve(FabricRenderer& renderer);
+    /// How serving requests ended.
+    enum class End : std::uint8_t { Stopped, LostAtOnce, Lost };
+    End serve(FabricRenderer& renderer);
+    void begin(const std::string& rendererName);
+    void fail(Diagnostics failure);
+    void putBack(Request request);
     std::optional<Request> nextRequest();
     void publish(Picture picture);
 
     std::function<void()> m_ready;
+    std::function<bool()> m_lost;
     std::string m_rendererName;
-    std::mutex m_mutex;
+    mutable std::mutex m_mutex;
     std::condition_variable m_changed;
     std::optional<Request> m_next;
     std::optional<Picture> m_done;

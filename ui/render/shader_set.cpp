@@ -12,18 +12,20 @@ Result<ShaderSet> loadShaders() {
     };
     ShaderSet set;
     const std::vector<const char*> tube{"nodes.glsl", "tube.vert"};
-    const std::vector<const char*> band{"nodes.glsl", "band.vert"};
+    const std::vector<const char*> band{"band_place.glsl", "nodes.glsl", "band.vert"};
     for (const Wanted& wanted :
-         {Wanted{set.pliedTube, tube, {"surface.glsl", "tube.glsl", "plies.glsl", "yarn.frag"}},
+         {Wanted{set.pliedTube, tube, {"round.glsl", "surface.glsl", "tube.glsl", "plies.glsl", "yarn.frag"}},
           {set.yarnTube, tube, {"surface.glsl", "tube.glsl", "no_plies.glsl", "yarn.frag"}},
-          {set.yarnBand, band, {"surface.glsl", "band.glsl", "no_plies.glsl", "yarn.frag"}},
+          {set.yarnBand,
+           band,
+           {"band_place.glsl", "surface.glsl", "band.glsl", "no_plies.glsl", "yarn.frag"}},
           {set.cutTube,
            {"cut.glsl", "nodes.glsl", "tube.vert"},
            {"cut.glsl", "surface.glsl", "tube.glsl", "plies.glsl", "cut_face.glsl", "yarn.frag"}},
           {set.hair, {"nodes.glsl", "hair.vert"}, {"surface.glsl", "hair.frag"}},
           {set.strokesTube, tube, {"surface.glsl", "tube.glsl", "strokes.frag"}},
-          {set.strokesBand, band, {"surface.glsl", "band.glsl", "strokes.frag"}},
-          {set.line, band, {"surface.glsl", "band.glsl", "line.frag"}},
+          {set.strokesBand, band, {"band_place.glsl", "surface.glsl", "band.glsl", "strokes.frag"}},
+          {set.line, band, {"band_place.glsl", "surface.glsl", "band.glsl", "line.frag"}},
           {set.marker, {"marker.vert"}, {"marker.frag"}},
           {set.background, {"background.vert"}, {"background.frag"}}}) {
         auto loaded = ShaderProgram::load(wanted.vertex, wanted.fragment);

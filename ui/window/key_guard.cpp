@@ -17,11 +17,12 @@ bool isWalkKey(int key) {
 
 bool needsKey(QObject* widget, int key) {
     if (key == Qt::Key_Space) {
-        return qobject_cast<QAbstractButton*>(widget) || qobject_cast<QAbstractItemView*>(widget) ||
-               qobject_cast<QComboBox*>(widget);
+        return qobject_cast<QAbstractButton*>(widget) || qobject_cast<QComboBox*>(widget);
     }
-    return isWalkKey(key) && (qobject_cast<QAbstractItemView*>(widget) || qobject_cast<QComboBox*>(widget) ||
-                              qobject_cast<QTextBrowser*>(widget));
+    if (qobject_cast<QAbstractItemView*>(widget)) {
+        return isWalkKey(key) && key != Qt::Key_Left && key != Qt::Key_Right; // lists are walked up and down
+    }
+    return isWalkKey(key) && (qobject_cast<QComboBox*>(widget) || qobject_cast<QTextBrowser*>(widget));
 }
 
 bool stepsMachine(const QKeyEvent& key) {

@@ -5,8 +5,8 @@
 namespace knittsim::ui {
 
 /// Keeps the window's one-key shortcuts from taking the keys that a focused control needs: Space on buttons,
-/// arrows, Home and End in lists. In a window with the property kStepsEverywhere these keys step the machine
-/// wherever the focus is, but for fields where text is written. Install it on the application.
+/// Up, Down, Home and End in lists. In a window with the property kStepsEverywhere these keys step the
+/// machine wherever the focus is, but for fields where text is written. Install it on the application.
 class KeyGuard : public QObject {
     Q_OBJECT
 

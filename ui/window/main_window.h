@@ -34,6 +34,7 @@ class PhotographCard;
 class SimulationPanel;
 struct Photograph;
 class SourceView;
+class Speaker;
 class StatusLine;
 class StepPlayer;
 class TeachingBoard;
@@ -87,24 +88,20 @@ protected:
 private:
     // main_window.cpp
     void buildCentre();
+    void showWorkspace();
+    void showGallery();
+    void setAppearance(document::Appearance appearance);
+
+    // main_window_document.cpp: files and programs that come, and the problems in them
     void connectDocument();
-    void connectFabric();
     void takeFile();
     void takeDocument();
     void takeFailure();
     void startSoon();
-    void takeFabric();
-    void takeFrame();
-    void takePins();
-    void takeYarnRun();
-    void takeDescription();
     void takeProblems();
     void showPlace(const Diagnostic& problem);
     void showLine(int line);
-    void showWorkspace();
-    void showGallery();
     void chooseFile();
-    void setAppearance(document::Appearance appearance);
 
     // main_window_chart.cpp
     void buildChartMenu();
@@ -141,22 +138,37 @@ private:
                        const QKeySequence& keys, const QString& iconName,
                        const std::function<void()>& action);
     void buildActions();
-    void buildFileMenu();
-    void buildEditMenu();
-    void buildViewMenu();
-    void buildMachineMenu();
-    void buildSimulateMenu();
-    void buildWindowMenu();
-    void buildHelpMenu();
     void buildToolBar();
     void takeRecentFiles();
     void takeActions();
 
-    // main_window_fabric.cpp: what is written over the fabric, and what of it leaves the program
+    // main_window_menus.cpp
+    void buildFileMenu();
+    void buildEditMenu();
+    void buildMachineMenu();
+    void buildSimulateMenu();
+    void buildWindowMenu();
+    void buildHelpMenu();
+
+    // main_window_view_menu.cpp
+    void buildViewMenu();
+
+    // main_window_fabric.cpp: what the fabric shows, what is written over it, and what of it leaves the
+    // program
+    void connectFabric();
+    void takeFabric();
+    void takeFrame();
+    void takePins();
+    void takeYarnRun();
+    void takeDescription();
     void buildOverlayMenu(QMenu* view);
     void markProblems();
     QString describeLoop(int loop) const;
     void exportShown();
+
+    // main_window_detail.cpp
+    void buildDetailMenu(QMenu* view);
+    void takeDetail();
 
     // main_window_compare.cpp
     void buildCompareMenu(QMenu* view);
@@ -168,6 +180,7 @@ private:
     void buildViewsMenu(QMenu* view);
     void takeViews();
     void recallViews();
+    void recallLook();
     void saveView();
     void recallView(const QString& name);
     void manageViews();
@@ -201,6 +214,13 @@ private:
     void takeLesson();
     void showGlossary();
 
+    // main_window_player.cpp: marks kept with the file, and the voice
+    void buildPlayer();
+    void buildSpeechAction(QMenu* menu);
+    void keepMarks();
+    void recallMarks();
+    void moveMarks();
+
     // main_window_recording.cpp
     void buildRecordingMenu(QMenu* menu);
     void record(const QString& path, std::vector<RecordedStep> steps);
@@ -230,6 +250,8 @@ private:
     int m_photographTurn = 0; ///< counts the files that have come
     HistoryCard* m_history = nullptr;
     StepPlayer* m_player = nullptr;
+    Speaker* m_speaker = nullptr;
+    QString m_marksKey; ///< of what the player's marks are; empty for what is not in a file
     PatternGrid* m_grid = nullptr;
     ChartEditor* m_chart = nullptr;
     QStackedWidget* m_patterns = nullptr; ///< grid or chart

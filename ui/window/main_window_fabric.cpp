@@ -1,8 +1,15 @@
 #include "ui/dialogs/export_dialog.h"
 #include "ui/document/operation_text.h"
 #include "ui/views/fabric_view/fabric_view.h"
+#include "ui/views/history/history_card.h"
+#include "ui/views/pattern_editor/pattern_grid.h"
+#include "ui/views/simulation_panel/activity_text.h"
 #include "ui/views/style/appearance.h"
+#include "ui/window/banner.h"
+#include "ui/window/carrier_looks.h"
+#include "ui/window/comparison.h"
 #include "ui/window/main_window.h"
+#include "ui/window/status_line.h"
 
 #include <QAction>
 #include <QFileInfo>
@@ -14,6 +21,82 @@
 #include <utility>
 
 namespace knittsim::ui {
+
+void MainWindow::connectFabric() {
+    using document::Document;
+    connect(&m_document, &Document::frameShown, this, [this] {
+        takeFrame();
+        m_status->setRenderer(m_fabric->hasOpenGl() ? m_fabric->rendererName() : tr("Qt, flat"));
+    });
+    connect(&m_document, &Document::yarnRunChanged, this, &MainWindow::takeYarnRun);
+    connect(&m_document, &Document::pinsChanged, this, &MainWindow::takePins);
+    connect(&m_document, &Document::yarnsChanged, this,
+            [this] { m_fabric->setLooks(looksOf(m_document.carriers())); });
+    connect(&m_document, &Document::selectionChanged, this, [this] {
+        const auto fabric = m_document.shownFabric();
+        const int loop = m_document.selection().loop;
+        m_fabric->setSelection(fabric && loop < static_cast<int>(fabric->loops.size()) ? loop : -1);
+    });
+    connect(m_fabric, &FabricView::loopClicked, &m_document, &Document::selectLoop);
+    connect(m_fabric, &FabricView::pointClicked, &m_document, &Document::selectPoint);
+    connect(&m_document, &Document::pointChanged, this,
+            [this] { m_fabric->setSelectedPoint(m_document.selectedPoint()); });
+    connect(m_history, &HistoryCard::lineWanted, this, &MainWindow::showLine);
+    connect(m_history, &HistoryCard::closeWanted, this,
+            [this] { findChild<QAction*>(QStringLiteral("actionHistory"))->setChecked(false); });
+    connect(m_fabric, &FabricView::loopHovered, m_status, &StatusLine::setHoveredLoop);
+    connect(m_grid, &PatternGrid::loopHovered, m_status, &StatusLine::setHoveredLoop);
+    connect(m_fabric, &FabricView::dragMoved, &m_document, [this](int point, QVector3D place) {
+        m_document.drag(point, {place.x(), place.y(), place.z()});
+    });
+    connect(m_fabric, &FabricView::dragEnded, &m_document, &Document::releaseDrag);
+    m_fabric->setDescriber([this](int loop) { return describeLoop(loop); });
+    connect(m_fabric, &FabricView::measured, this, [this](double millimetres) {
+        statusBar()->showMessage(tr("Tape: %1").arg(lengthText(millimetres)), 10000);
+    });
+    connect(m_comparison, &Comparison::changed, this, &MainWindow::takeActions);
+    connect(m_comparison, &Comparison::failed, this,
+            [this](const QString& text) { m_banner->showMessage(Banner::Kind::Error, text); });
+    connect(m_fabric, &FabricView::glFailed, this,
+            [this](const QString& reason) { m_banner->showMessage(Banner::Kind::Note, reason); });
+}
+
+void MainWindow::takeFabric() {
+    m_fabric->setFabric(m_document.shownFabric(), looksOf(m_document.carriers()));
+    if (const auto frame = m_document.shownFrame()) {
+        m_fabric->setFrame(frame);
+    }
+    markProblems();
+    const int loop = m_document.selection().loop;
+    const auto fabric = m_document.shownFabric();
+    m_fabric->setSelection(fabric && loop < static_cast<int>(fabric->loops.size()) ? loop : -1);
+    m_fabric->setSelectedPoint(m_document.selectedPoint());
+}
+
+void MainWindow::takeFrame() {
+    m_fabric->setFollowing(m_document.step() == m_document.operationCount() && !m_document.laddersRun());
+    m_fabric->setFrame(m_document.shownFrame());
+    m_fabric->setNeedles(m_document.needleHooks());
+    takeYarnRun();
+}
+
+void MainWindow::takePins() {
+    m_fabric->setPins(m_document.pins());
+}
+
+void MainWindow::takeYarnRun() {
+    m_fabric->setYarn(m_document.showsYarn() ? m_document.yarnRun().shape()->picture : nullptr);
+}
+
+void MainWindow::takeDescription() {
+    const auto file = m_document.file();
+    m_fabric->setAccessibleDescription(file ? tr("%1 columns, %2 courses, %3, %4 problems")
+                                                  .arg(file->grid->columnCount())
+                                                  .arg(file->grid->courseCount())
+                                                  .arg(activityWord(m_document.activity()))
+                                                  .arg(m_document.problems().size())
+                                            : QString());
+}
 
 void MainWindow::buildOverlayMenu(QMenu* view) {
     QMenu* menu = view->addMenu(tr("&Overlays"));
@@ -87,7 +170,9 @@ void MainWindow::exportShown() {
     source.camera = m_fabric->cameraState();
     source.section = m_fabric->section();
     source.keep = m_fabric->shownPoints();
+    source.parts = m_fabric->shownPart();
     source.hair = m_fabric->hasHair();
+    source.level = m_fabric->detail();
     source.dark = isDark(palette());
     const QString name = QFileInfo(m_document.title()).completeBaseName();
     auto* dialog =

@@ -1,5 +1,6 @@
 #include "ui/document/operation_text.h"
 #include "ui/recording/recorder.h"
+#include "ui/speech/speaker.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/lesson/lesson_panel.h"
 #include "ui/views/needle_beds/needle_beds.h"
@@ -7,6 +8,7 @@
 #include "ui/window/banner.h"
 #include "ui/window/main_window.h"
 
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -109,6 +111,12 @@ void MainWindow::record(const QString& path, std::vector<RecordedStep> steps) {
                 : path.endsWith(QLatin1String(".pdf")) ? makeHandoutSink(path, title)
                                                        : makePngSink(path);
     m_player->setPlaying(false);
+    const bool speaks = m_speaker->isOn();
+    m_speaker->setOn(false);
+    // What the lesson says at one stop is not true at the others; a hand-out writes it under each picture.
+    const bool explains = m_lessonDock->isVisible();
+    m_lessonDock->hide();
+    m_banner->hide();
     // Steps are shown as they are, not on their way.
     m_beds->setPlaying(true);
     m_beds->setSpeed(1000);
@@ -125,7 +133,9 @@ void MainWindow::record(const QString& path, std::vector<RecordedStep> steps) {
     progress->setWindowModality(Qt::WindowModal);
     progress->setMinimumDuration(0);
     progress->setAttribute(Qt::WA_DeleteOnClose);
-    const auto leave = [this, recorder, progress] {
+    const auto leave = [this, recorder, progress, speaks, explains] {
+        m_speaker->setOn(speaks);
+        m_lessonDock->setVisible(explains);
         m_beds->setPlaying(false);
         m_beds->setSpeed(m_player->speed());
         recorder->deleteLater();

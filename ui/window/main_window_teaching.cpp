@@ -66,6 +66,7 @@ void MainWindow::buildLessonMenu() {
     menu->addSeparator();
     buildRecordingMenu(menu);
     menu->addSeparator();
+    buildSpeechAction(menu);
     addAction(menu, "actionGlossary", tr("&Words of machine knitting"), Qt::SHIFT | Qt::Key_F1, {},
               [this] { showGlossary(); });
 }

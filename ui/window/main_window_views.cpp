@@ -24,6 +24,23 @@ void MainWindow::recallViews() {
     takeViews();
 }
 
+/// A chart is seen as it was when it was saved.
+void MainWindow::recallLook() {
+    const std::filesystem::path path(m_document.path().toStdString());
+    if (!m_document.project() || !pattern::isProjectFile(path)) {
+        return;
+    }
+    const auto view = QByteArray::fromBase64(QByteArray::fromStdString(pattern::readLook(path).view));
+    connect(
+        &m_document, &document::Document::fabricShown, this,
+        [this, view] {
+            if (m_fabric->restoreCamera(view)) {
+                takeActions(); // orthographic or not
+            }
+        },
+        Qt::SingleShotConnection);
+}
+
 /// The menu has a line for each view.
 void MainWindow::takeViews() {
     const QString kName = QStringLiteral("actionView_");
@@ -48,6 +65,7 @@ void MainWindow::saveView() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Save this view"));
     dialog->setLabelText(tr("Name of the view; one of the same name is replaced:"));
+    dialog->setOkButtonText(tr("&Save"));
     dialog->setTextValue(tr("View %1").arg(m_views.views().size() + 1));
     connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& name) {
         if (m_views.save(name, m_fabric->saveCamera())) {

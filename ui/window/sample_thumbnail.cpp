@@ -72,6 +72,7 @@ private:
         switch (m_chart.at(wale, course).stitch) {
         case pattern::Stitch::Knit:
         case pattern::Stitch::Both:
+        case pattern::Stitch::KnitTuck:
             path.moveTo(at(0.17, -0.12));
             path.lineTo(at(0.42, 0.72));
             path.moveTo(at(0.83, -0.12));
@@ -79,16 +80,20 @@ private:
             stroke(path, colour, 2.7);
             break;
         case pattern::Stitch::Purl:
+        case pattern::Stitch::TuckKnit:
             path.moveTo(at(0.02, 0.72));
             path.cubicTo(at(0.28, 0.02), at(0.72, 0.02), at(0.98, 0.72));
             stroke(path, colour.darker(118), 2.9);
             break;
         case pattern::Stitch::Tuck:
+        case pattern::Stitch::TuckBoth:
+        case pattern::Stitch::RearTuck:
             path.moveTo(at(0.2, 1.0));
             path.cubicTo(at(0.2, -0.2), at(0.8, -0.2), at(0.8, 1.0));
             stroke(path, colour, 2.2);
             break;
         case pattern::Stitch::Miss:
+        case pattern::Stitch::RearMiss:
             path.moveTo(at(0.0, 0.5));
             path.lineTo(at(1.0, 0.5));
             stroke(path, colour, 1.7);
@@ -152,8 +157,8 @@ QPixmap thumbnailOf(const QString& path) {
     const std::filesystem::path file(path.toStdString());
     QPixmap picture;
     if (pattern::isProjectFile(file)) {
-        picture.loadFromData(QByteArray::fromBase64(QByteArray::fromStdString(pattern::readThumbnail(file))),
-                             "PNG");
+        picture.loadFromData(
+            QByteArray::fromBase64(QByteArray::fromStdString(pattern::readLook(file).thumbnail)), "PNG");
     }
     return picture;
 }

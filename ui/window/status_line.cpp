@@ -43,6 +43,8 @@ StatusLine::StatusLine(document::Document& document, QWidget* parent)
     m_energy = addField("statusEnergy", tr("Spring energy V of the fabric"), tr("V %1").arg("888 mJ"));
     m_time =
         addField("statusTime", tr("Computing time of one integrator step"), tr("%1 ms/step").arg("88.8"));
+    m_detail = addField("statusDetail", {}, {});
+    m_detail->hide();
     m_renderer = addField("statusRenderer", tr("What draws the fabric (OpenGL)"), {});
     connect(&m_document, &document::Document::stepChanged, this, &StatusLine::takePlace);
     connect(&m_document, &document::Document::selectionChanged, this, &StatusLine::takePlace);
@@ -76,6 +78,13 @@ void StatusLine::setRenderer(const QString& name) {
     }
     m_renderer->setToolTip(tr("Drawn by %1").arg(name));
     m_renderer->setText(name.section(u'(', 0, 0).trimmed().left(24));
+}
+
+void StatusLine::setDetail(const QString& level, bool fixed) {
+    m_detail->setText(level);
+    m_detail->setToolTip(fixed ? tr("Level of detail that you chose (View > Detail of the yarn)")
+                               : tr("Level of detail drawn, chosen by the width of the yarn on the screen"));
+    m_detail->setVisible(!level.isEmpty());
 }
 
 void StatusLine::showLoop(machine::LoopIndex loop) {

@@ -18,6 +18,8 @@ public:
 
     void setHoveredLoop(int loop);
     void setRenderer(const QString& name);
+    /// The level of detail that is drawn, in words; empty where there is none.
+    void setDetail(const QString& level, bool fixed);
 
 private:
     QLabel* addField(const char* name, const QString& toolTip, const QString& widest);
@@ -39,6 +41,7 @@ private:
     QLabel* m_ladders;
     QLabel* m_energy;
     QLabel* m_time;
+    QLabel* m_detail;
     QLabel* m_renderer;
 };
 

@@ -183,7 +183,7 @@ private slots:
         QTRY_COMPARE(m_document->activity(), Activity::AtRest);
         m_document->undoStack()->undo();
         QVERIFY(m_document->shownFabric()->entryCount > 0);
-        QVERIFY(fits());
+        QTRY_VERIFY(fits());
     }
 
     void firstTheDroppedOnesThenAll() {

@@ -124,6 +124,41 @@ TEST(StepMarks, AShorterProgramTakesTheMarksBehindItsEnd) {
     EXPECT_EQ(marks.bookmarks().size(), 1U);
 }
 
+TEST(StepMarks, WhatIsKeptComesBackWhole) {
+    StepMarks marks;
+    marks.setBookmarks({2, 9});
+    marks.setLoopFrom(3);
+    marks.setLoopTo(9);
+    StopRules rules;
+    rules.set(OperationKind::Xfer, true);
+    rules.set(OperationKind::Rack, true);
+    rules.needle = machine::Needle{machine::Bed::Rear, -4};
+    rules.carrier = machine::CarrierIndex{1};
+    rules.problem = true;
+    marks.setRules(rules);
+    StepMarks other;
+    other.toggleBookmark(7);
+    ASSERT_TRUE(other.restore(marks.save()));
+    EXPECT_EQ(other.bookmarks(), marks.bookmarks());
+    EXPECT_EQ(other.loopFrom(), 3);
+    EXPECT_EQ(other.loopTo(), 9);
+    EXPECT_EQ(other.rules(), rules);
+}
+
+TEST(StepMarks, BrokenTextMarksNothing) {
+    StepMarks marks;
+    marks.toggleBookmark(7);
+    for (const char* text : {"", "[1, 2]", "{\"bookmarks\": [1", "noise"}) {
+        EXPECT_FALSE(marks.restore(text)) << text;
+    }
+    EXPECT_EQ(marks.bookmarks(), (std::set<StepMarks::Step>{7}));
+    EXPECT_TRUE(marks.restore(R"({"bookmarks": [-3, "x", 4, 1e99], "from": -9, "kinds": ["sing"],
+        "needle": "q7", "carrier": 4000})"));
+    EXPECT_EQ(marks.bookmarks(), (std::set<StepMarks::Step>{4}));
+    EXPECT_FALSE(marks.loops());
+    EXPECT_TRUE(marks.rules().empty());
+}
+
 TEST(StepMarks, BookmarksAreWalkedInOrder) {
     StepMarks marks;
     for (const int step : {9, 3, 6}) {

@@ -450,8 +450,8 @@ private slots:
         newChart(12, 10);
         const QString path = m_folder.filePath("picture.knitt");
         const QByteArray picture = chartThumbnail(chart());
-        QVERIFY(!hasErrors(document().save(path, picture)));
-        QCOMPARE(pattern::readThumbnail(path.toStdString()), picture.toStdString());
+        QVERIFY(!hasErrors(document().save(path, {.thumbnail = picture.toStdString()})));
+        QCOMPARE(pattern::readLook(path.toStdString()).thumbnail, picture.toStdString());
         QVERIFY(!thumbnailOf(path).isNull());
         QVERIFY(thumbnailOf(m_folder.filePath("no.knitt")).isNull());
     }

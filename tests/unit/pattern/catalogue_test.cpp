@@ -32,8 +32,8 @@ Chart swatchOf(const Module& module) {
         tile(chart, {4, 4, 16, 20}, module.part, PasteWhat::Stitches);
     } else {
         const bool left = module.part.at(0, 0).stitch == Stitch::Empty;
-        paste(chart, {left ? 0 : chart.width - module.part.width, chart.height() - 1}, module.part,
-              PasteWhat::Stitches);
+        paste(chart, {left ? 0 : chart.width - module.part.width, chart.height() - module.part.height()},
+              module.part, PasteWhat::Stitches);
     }
     return chart;
 }

@@ -176,5 +176,41 @@ TEST(ChartEdit, APatchGoesThereAndBack) {
     }
 }
 
+TEST(ChartEdit, BindingOffLeavesOneLoopAndLoosesNone) {
+    Chart chart = plainChart(5, 3);
+    ASSERT_TRUE(bindOff(chart));
+    EXPECT_EQ(chart.height(), 3 + 4);
+    EXPECT_EQ(chart.course(3).moves, (std::vector<LoopMove>{{4, 3}}));
+    EXPECT_EQ(chart.at(0, 6).stitch, Stitch::Knit);
+    EXPECT_EQ(chart.at(1, 6).stitch, Stitch::Empty);
+    EXPECT_TRUE(check(chart).empty());
+    Chart tube = plainChart(5, 3);
+    tube.beds = BedUse::Double;
+    EXPECT_FALSE(bindOff(tube));
+}
+
+TEST(ChartEdit, ABedLessKeepsWhatTheFrontShows) {
+    Chart chart(kStitches, 1);
+    chart.beds = BedUse::Double;
+    for (int w = 0; w < kStitches; ++w) {
+        chart.at(w, 0).stitch = static_cast<Stitch>(w);
+    }
+    chart.course(0).colours = ColourMethod::LadderBack;
+    chart.course(0).rack = 1;
+    ASSERT_TRUE(useBeds(chart, BedUse::Single));
+    chart.yarns = {{"1", {}, ""}};
+    EXPECT_TRUE(check(chart).empty());
+    EXPECT_EQ(chart.at(static_cast<int>(Stitch::KnitTuck), 0).stitch, Stitch::Knit);
+    EXPECT_EQ(chart.course(0).colours, ColourMethod::Float);
+}
+
+TEST(ChartEdit, MovedLoopsKeepAChartOnOneBed) {
+    Chart chart = plainChart(4, 3);
+    chart.course(1).moves = {{1, 2}};
+    const Chart before = chart;
+    EXPECT_FALSE(useBeds(chart, BedUse::Double));
+    EXPECT_EQ(chart, before);
+}
+
 } // namespace
 } // namespace knittsim::pattern

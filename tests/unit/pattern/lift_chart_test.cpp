@@ -1,6 +1,8 @@
 #include "core/machine/checks/check.h"
+#include "core/pattern/backing.h"
 #include "core/pattern/catalogue.h"
 #include "core/pattern/chart_edit.h"
+#include "core/pattern/course_works.h"
 #include "core/pattern/lift.h"
 #include "core/pattern/move_plan.h"
 #include "core/pattern/swatch.h"
@@ -8,6 +10,7 @@
 #include "knitted.h"
 #include "shrink_chart.h"
 
+#include <array>
 #include <random>
 
 /// Charts that are compiled, knitted by the emulated machine and lifted back are the same charts.
@@ -76,10 +79,12 @@ std::string drawn(const Chart& chart) {
     std::string text;
     for (int c = chart.height() - 1; c >= 0; --c) {
         for (int w = 0; w < chart.width; ++w) {
-            text += "kpbtmr."[static_cast<std::size_t>(chart.at(w, c).stitch)];
+            text += "kpbtmr.fguqnd"[static_cast<std::size_t>(chart.at(w, c).stitch)];
             text += static_cast<char>('0' + chart.at(w, c).yarn);
         }
-        text += chart.course(c).colours == ColourMethod::Intarsia ? " intarsia" : "";
+        static const std::array kMethods{"", " intarsia", " birdseye", " ladder"};
+        text += chart.course(c).rack != 0 ? " rack " + std::to_string(chart.course(c).rack) : "";
+        text += kMethods[static_cast<std::size_t>(chart.course(c).colours)];
         for (const LoopMove& move : chart.course(c).moves) {
             text += ' ' + std::to_string(move.from) + '>' + std::to_string(move.to);
         }
@@ -133,8 +138,8 @@ TEST(LiftChart, EveryModuleOfTheCatalogueComesBack) {
             tile(chart, {4, 4, 16, 20}, module.part, PasteWhat::Stitches);
         } else {
             const bool left = module.part.at(0, 0).stitch == Stitch::Empty;
-            paste(chart, {left ? 0 : chart.width - module.part.width, chart.height() - 1}, module.part,
-                  PasteWhat::Stitches);
+            paste(chart, {left ? 0 : chart.width - module.part.width, chart.height() - module.part.height()},
+                  module.part, PasteWhat::Stitches);
         }
         EXPECT_EQ(liftsBack(chart), "") << module.id;
     }
@@ -172,6 +177,116 @@ TEST(LiftChart, IntarsiaComesBack) {
     std::mt19937 random(23);
     for (int i = 0; i < 200 && !testing::Test::HasFailure(); ++i) {
         expectNone(zones(random), liftsBack, i);
+    }
+}
+
+/// Every stitch that two beds can make, rackings, up to three colours; the first course works all needles.
+Chart doubleChart(std::mt19937& random) {
+    const auto upTo = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
+    constexpr std::array kAll{Stitch::Knit,     Stitch::Knit,     Stitch::Knit,     Stitch::Purl,
+                              Stitch::Purl,     Stitch::Both,     Stitch::Both,     Stitch::Tuck,
+                              Stitch::Miss,     Stitch::KnitTuck, Stitch::TuckKnit, Stitch::TuckBoth,
+                              Stitch::RearTuck, Stitch::RearMiss};
+    Chart chart(8 + upTo(12), 5 + upTo(12), Stitch::Both);
+    chart.beds = BedUse::Double;
+    chart.yarns = {{"1", {}, ""}, {"2", {}, ""}, {"3", {}, ""}};
+    const int colours = upTo(2);
+    for (int c = 1; c < chart.height(); ++c) {
+        chart.course(c).rack = upTo(5) == 0 ? 1 : 0;
+        for (int w = 0; w < chart.width; ++w) {
+            chart.at(w, c) = {kAll[static_cast<std::size_t>(upTo(static_cast<int>(kAll.size()) - 1))],
+                              static_cast<std::uint8_t>(upTo(colours))};
+        }
+    }
+    return chart;
+}
+
+TEST(LiftChart, ChartsOnTwoBedsComeBack) {
+    std::mt19937 random(31);
+    for (int i = 0; i < 300 && !testing::Test::HasFailure(); ++i) {
+        expectNone(doubleChart(random), liftsBack, i);
+    }
+}
+
+TEST(LiftChart, ChartsOnTwoBedsPassTheChecks) {
+    std::mt19937 random(37);
+    for (int i = 0; i < 200 && !testing::Test::HasFailure(); ++i) {
+        expectNone(doubleChart(random), firstError, i);
+    }
+}
+
+/// Two to four colours in patches, here and there a tuck or a miss; the back is knitted by one method.
+Chart backedChart(std::mt19937& random) {
+    const auto upTo = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
+    Chart chart(8 + upTo(16), 5 + upTo(12));
+    chart.beds = BedUse::Double;
+    chart.yarns = {{"1", {}, ""}, {"2", {}, ""}, {"3", {}, ""}, {"4", {}, ""}};
+    const int colours = 1 + upTo(2);
+    const ColourMethod method = upTo(1) == 0 ? ColourMethod::Birdseye : ColourMethod::LadderBack;
+    for (int c = 0; c < chart.height(); ++c) {
+        chart.course(c).colours = method;
+        const bool plain = upTo(3) == 0; // courses of one yarn among them
+        for (int w = 0; w < chart.width; ++w) {
+            const bool same = w > 0 && upTo(2) > 0;
+            const auto yarn = static_cast<std::uint8_t>(plain ? 0 : upTo(colours));
+            chart.at(w, c) = {Stitch::Knit, same ? chart.at(w - 1, c).yarn : yarn};
+        }
+        for (int i = c > 0 ? upTo(2) : 0; i > 0; --i) {
+            chart.at(upTo(chart.width - 1), c).stitch = upTo(1) == 0 ? Stitch::Tuck : Stitch::Miss;
+        }
+    }
+    return chart;
+}
+
+/// Every course has a back, and some rear needle knits a yarn that the front does not show: no other stitches
+/// look the same.
+bool showsItsBack(const Chart& chart) {
+    bool shows = false;
+    for (int c = 0; c < chart.height(); ++c) {
+        if (!isBacked(chart.course(c).colours)) {
+            return false;
+        }
+        for (const int yarn : yarnsOf(chart, c)) {
+            for (const int wale : backingOf(chart, c, yarn)) {
+                shows = shows || chart.at(wale, c).yarn != yarn;
+            }
+        }
+    }
+    return shows;
+}
+
+TEST(LiftChart, BackedColoursComeBack) {
+    std::mt19937 random(41);
+    int shown = 0;
+    for (int i = 0; i < 300 && !testing::Test::HasFailure(); ++i) {
+        const Chart chart = backedChart(random);
+        shown += showsItsBack(chart) ? 1 : 0;
+        expectNone(
+            chart, [](const Chart& c) { return showsItsBack(c) ? liftsBack(c) : std::string(); }, i);
+    }
+    EXPECT_GE(shown, 280);
+}
+
+TEST(LiftChart, BackedColoursPassTheChecks) {
+    std::mt19937 random(43);
+    for (int i = 0; i < 200 && !testing::Test::HasFailure(); ++i) {
+        expectNone(backedChart(random), firstError, i);
+    }
+}
+
+TEST(LiftChart, DroppedLoopsComeBack) {
+    std::mt19937 random(47);
+    const auto upTo = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
+    for (int i = 0; i < 100 && !testing::Test::HasFailure(); ++i) {
+        Chart chart = ribChart(6 + upTo(10), 4 + upTo(8), 1 + upTo(2), 1 + upTo(2));
+        for (int wale = upTo(3); wale + 1 < chart.width; wale += 1 + upTo(4)) {
+            const int from = 1 + upTo(chart.height() - 2);
+            const int until = std::min(from + 1 + upTo(chart.height()), chart.height());
+            for (int c = from; c < until; ++c) { // and empty from there on, or knitted again
+                chart.at(wale, c).stitch = c == from ? Stitch::Drop : Stitch::Empty;
+            }
+        }
+        ASSERT_EQ(liftsBack(chart), "") << drawn(chart);
     }
 }
 

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 namespace knittsim::pattern {
 namespace {
 
@@ -41,7 +44,7 @@ TEST(Project, TellsWhatIsWrong) {
         return idOf(text);
     };
     EXPECT_EQ(idOf(good), "fine");
-    EXPECT_EQ(with("\"knitt\": 2", "\"knitt\": 3"), "KS0509");
+    EXPECT_EQ(with("\"knitt\": 3", "\"knitt\": 4"), "KS0509");
     EXPECT_EQ(with("\"kkk\"", "\"kk\""), "KS0004");
     EXPECT_EQ(with("\"kkk\"", "\"kxk\""), "KS0004");
     EXPECT_EQ(with("\"yarns\": \"0\"", "\"yarns\": \"4\""), "fine"); // it can be mended
@@ -52,7 +55,7 @@ TEST(Project, TellsWhatIsWrong) {
     EXPECT_EQ(idOf("[1]"), "KS0004");
 }
 
-TEST(Project, AFileOfVersion1IsReadAndBecomesVersion2) {
+TEST(Project, AFileOfVersion1IsReadAndBecomesTheNewest) {
     const std::string old = R"({"knitt": 1, "cast_on": "open", "ending": "held", "beds": "single", "wales": 3,
         "yarns": [{"carrier": "1", "colour": "#102030", "library_id": "linen-26"}],
         "courses": [{"stitches": "kpk", "yarns": "0"}]})";
@@ -61,10 +64,61 @@ TEST(Project, AFileOfVersion1IsReadAndBecomesVersion2) {
     EXPECT_TRUE(read.value().colourways.all.empty());
     EXPECT_EQ(read.value().chart.at(1, 0).stitch, Stitch::Purl);
     const std::string now = writeProject(read.value());
-    EXPECT_NE(now.find("\"knitt\": 2"), std::string::npos);
+    EXPECT_NE(now.find("\"knitt\": 3"), std::string::npos);
     const auto again = readProject(now, "a.knitt");
     ASSERT_TRUE(again);
     EXPECT_EQ(again.value(), read.value());
+}
+
+TEST(Project, AFileOfVersion2NamesTheRearBedOfItsTucksAndMisses) {
+    const std::string old = R"({"knitt": 2, "cast_on": "open", "ending": "held", "beds": "double", "wales": 4,
+        "yarns": [{"carrier": "1", "colour": "#102030", "library_id": ""}],
+        "courses": [{"stitches": "ppkb", "yarns": "0"}, {"stitches": "tmtm", "yarns": "0"}]})";
+    const auto read = readProject(old, "a.knitt");
+    ASSERT_TRUE(read);
+    const Chart& chart = read.value().chart;
+    EXPECT_EQ(chart.at(0, 1).stitch, Stitch::RearTuck);
+    EXPECT_EQ(chart.at(1, 1).stitch, Stitch::RearMiss);
+    EXPECT_EQ(chart.at(2, 1).stitch, Stitch::Tuck);
+    EXPECT_EQ(chart.at(3, 1).stitch, Stitch::Miss);
+    const auto again = readProject(writeProject(read.value()), "a.knitt");
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again.value(), read.value());
+}
+
+TEST(Project, AFileOfVersion1OnOneBedKeepsItsTucks) {
+    const std::string old = R"({"knitt": 1, "cast_on": "open", "ending": "held", "beds": "single", "wales": 1,
+        "yarns": [{"carrier": "1", "colour": "#102030", "library_id": ""}],
+        "courses": [{"stitches": "p", "yarns": "0"}, {"stitches": "t", "yarns": "0"}]})";
+    const auto read = readProject(old, "a.knitt");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read.value().chart.at(0, 1).stitch, Stitch::Tuck);
+}
+
+TEST(Project, PictureAndViewAreReadWithoutTheChart) {
+    const auto path = std::filesystem::path(testing::TempDir()) / "look.knitt";
+    const Project project{.chart = plainChart(3, 2), .machine = {}};
+    std::ofstream(path) << writeProject(project, {.thumbnail = "QUJD", .view = "REVG"});
+    EXPECT_EQ(readLook(path).thumbnail, "QUJD");
+    EXPECT_EQ(readLook(path).view, "REVG");
+    std::ofstream(path) << writeProject(project);
+    EXPECT_EQ(readLook(path).view, "");
+    EXPECT_EQ(readLook("no/such/file.knitt").thumbnail, "");
+}
+
+TEST(Project, KeepsEveryStitchAndEveryColourMethod) {
+    Project project{.chart = Chart(kStitches, kColourMethods), .machine = {}};
+    project.chart.beds = BedUse::Double;
+    project.chart.yarns = {{"1", {1, 2, 3}, ""}};
+    for (int c = 0; c < kColourMethods; ++c) {
+        project.chart.course(c).colours = static_cast<ColourMethod>(c);
+        for (int w = 0; w < kStitches; ++w) {
+            project.chart.at(w, c).stitch = static_cast<Stitch>(w);
+        }
+    }
+    const auto read = readProject(writeProject(project), "a.knitt");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read.value(), project);
 }
 
 Project inTwoColourways() {
@@ -104,7 +158,7 @@ TEST(Colourways, TheOneInUseMayGoTheLastOneStays) {
 
 TEST(Colourways, AreInTheFileWithWhatTheChartHasNow) {
     const Project project = inTwoColourways();
-    const auto read = readProject(writeProject(project, "QUJD"), "a.knitt");
+    const auto read = readProject(writeProject(project, {.thumbnail = "QUJD", .view = "REVG"}), "a.knitt");
     ASSERT_TRUE(read);
     ASSERT_EQ(read.value().colourways.all.size(), 2U);
     EXPECT_EQ(read.value().colourways.used, 1);

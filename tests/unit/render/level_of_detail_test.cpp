@@ -35,6 +35,19 @@ TEST(LevelOfDetail, strideStaysWhatNodesAreAlignedTo) {
     EXPECT_EQ(detailAt(1, 10, Quality::Fast).stride, 1);
 }
 
+TEST(LevelOfDetail, whatIsFixedHoldsAtAnyDistance) {
+    for (const DetailLevel level : {DetailLevel::Strokes, DetailLevel::Tubes, DetailLevel::Yarn}) {
+        for (float pixels = 1; pixels < 100; pixels += 0.5F) {
+            const Detail detail = detailAt(pixels, 0.06F, Quality::Fast, level);
+            EXPECT_EQ(levelOf(detail), level) << pixels;
+            EXPECT_EQ(detail.stride, detailAt(pixels, 0.06F, Quality::Fast).stride);
+        }
+    }
+    // Nothing is lost where one is fixed that would have been drawn anyway.
+    EXPECT_EQ(detailAt(60, 0.06F, Quality::Best, DetailLevel::Yarn).sides,
+              detailAt(60, 0.06F, Quality::Best).sides);
+}
+
 TEST(Frustum, seesWhatTheCameraShows) {
     for (const bool orthographic : {true, false}) {
         Camera camera;

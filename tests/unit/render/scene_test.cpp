@@ -137,9 +137,10 @@ TEST(FabricScene, drawsCurvesThatSomebodyElseHasMade) {
     const auto frame = scene.prepareCurves(curves);
     ASSERT_EQ(frame->topology->yarns.size(), 2U);
     const auto& second = frame->topology->yarns[1];
-    EXPECT_EQ(second.count, 4);
+    const int times = (second.count - 1) / 3; // small fabrics get more nodes
+    EXPECT_GT(times, 1);
     for (int i = 0; i < 4; ++i) {
-        const auto node = static_cast<std::size_t>(second.first + i);
+        const auto node = static_cast<std::size_t>(second.first + times * i);
         EXPECT_EQ(frame->nodes[node][0], static_cast<float>(3 + i));
         EXPECT_EQ(frame->topology->owner[node], (3 + i) / 2);
     }

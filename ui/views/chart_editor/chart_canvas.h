@@ -50,6 +50,9 @@ public:
     void chooseCourseYarn();
     void editStitchSize();
     void editRacking();
+    /// Of the selected courses, else of all.
+    void chooseColourMethod();
+    void useBothBeds(bool both);
 
     QSize sizeHint() const override { return {420, 420}; }
 
@@ -98,6 +101,9 @@ private:
     void editSide(SidePlace place, QPoint position);
     void chooseYarn(int course, std::optional<std::uint8_t> from, QPoint globalPosition);
     void editNumber(SidePlace place);
+
+    // chart_canvas_colours.cpp
+    void setColourMethod(pattern::CellRange courses, pattern::ColourMethod method);
 
     // chart_canvas_paint.cpp
     void paintGrounds(QPainter& painter) const;

@@ -1,7 +1,9 @@
 #include "ui/views/chart_editor/chart_editor.h"
 
+#include "core/pattern/chart_edit.h"
 #include "ui/document/message_text.h"
 #include "ui/views/chart_editor/chart_canvas.h"
+#include "ui/views/chart_editor/colour_method_menu.h"
 #include "ui/views/chart_editor/own_module_dialogs.h"
 #include "ui/views/chart_editor/palettes.h"
 #include "ui/views/style/appearance.h"
@@ -61,14 +63,17 @@ ChartEditor::ChartEditor(document::Document& document, ChartLook& look, QWidget*
     connect(m_catalogue, &CataloguePopup::problemFound, m_hint, &QLabel::setText);
     connect(m_canvas, &ChartCanvas::hovered, m_hint, &QLabel::setText);
     connect(&m_document, &document::Document::chartFollowed, this, &ChartEditor::takeFollowing);
-    const auto takeBeds = [this] {
-        const auto project = m_document.project();
-        m_stitches->setBothAllowed(project && project->chart.beds == pattern::BedUse::Double);
-    };
-    connect(&m_document, &document::Document::chartChanged, this, takeBeds);
+    connect(&m_document, &document::Document::chartChanged, this, &ChartEditor::takeBeds);
     m_stitches->choose(pattern::Stitch::Purl);
     takeBeds();
     takeBrush();
+}
+
+void ChartEditor::takeBeds() {
+    const auto project = m_document.project();
+    const bool both = project && project->chart.beds == pattern::BedUse::Double;
+    m_stitches->setTwoBeds(both);
+    m_beds->setChecked(both);
 }
 
 void ChartEditor::takeBrush() {
@@ -180,8 +185,32 @@ void ChartEditor::buildEdits() {
             [canvas] { canvas->insertWales(); });
     addEdit("actionChartRemoveWales", tr("Remove wale&s"), Qt::CTRL | Qt::SHIFT | Qt::Key_J,
             [canvas] { canvas->removeWales(); });
+    addEdit("actionChartBindOff", tr("&Bind off above the chart"), Qt::CTRL | Qt::ALT | Qt::Key_O, [this] {
+        bool done = false;
+        m_document.editChart(tr("bind off"), [&](pattern::Chart& chart) { done = pattern::bindOff(chart); });
+        if (!done) {
+            m_hint->setText(tr("Only a chart on one bed, with two loops or more, can be bound off."));
+        }
+    });
     addEdit("actionChartCourseYarn", tr("&Yarn of the course\u2026"), Qt::CTRL | Qt::Key_U,
             [canvas] { canvas->chooseCourseYarn(); });
+    addEdit("actionChartColours", tr("&Knitting of the colours\u2026"), Qt::CTRL | Qt::ALT | Qt::Key_U,
+            [canvas] { canvas->chooseColourMethod(); });
+    QAction* colours = m_editActions.back();
+    colours->setIcon(colourMethodIcon(pattern::ColourMethod::Birdseye, *this));
+    colours->setToolTip(tr("How the colours are knitted: floats, intarsia, a birdseye or ladder back (%1)")
+                            .arg(colours->shortcut().toString(QKeySequence::NativeText)));
+    m_tools->addSeparator();
+    colours->setIconText(tr("Colours"));
+    m_tools->addAction(colours);
+    qobject_cast<QToolButton*>(m_tools->widgetForAction(colours))
+        ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    addEdit("actionChartBeds", tr("Work on bot&h beds"), Qt::CTRL | Qt::ALT | Qt::Key_B, [canvas, this] {
+        canvas->useBothBeds(m_beds->isChecked());
+        takeBeds(); // it may be refused
+    });
+    m_beds = m_editActions.back();
+    m_beds->setCheckable(true);
     addEdit("actionChartStitchSize", tr("Stitch si&ze of the course\u2026"), Qt::CTRL | Qt::ALT | Qt::Key_G,
             [canvas] { canvas->editStitchSize(); });
     addEdit("actionChartRacking", tr("Rackin&g of the course\u2026"), Qt::CTRL | Qt::SHIFT | Qt::Key_G,

@@ -35,6 +35,7 @@ private:
                  const std::function<void()>& action);
     void buildTools();
     void buildEdits();
+    void takeBeds();
     void takeBrush();
     void takeFollowing();
 
@@ -48,6 +49,7 @@ private:
     QLabel* m_hint;
     QList<QAction*> m_toolActions;
     QList<QAction*> m_editActions;
+    QAction* m_beds = nullptr; ///< checked: the chart works on both
 };
 
 } // namespace knittsim::ui

@@ -24,15 +24,16 @@ struct MoveKind {
 };
 
 std::vector<MoveKind> moveKinds() {
-    return {{QT_TRANSLATE_NOOP("Legend", "Two together, leaning right; the hole beside it is an eyelet"),
-             {{0, 1}},
-             2},
-            {QT_TRANSLATE_NOOP("Legend", "Two together, leaning left; the hole beside it is an eyelet"),
-             {{1, 0}},
-             2},
-            {QT_TRANSLATE_NOOP("Legend", "Cable: loops change places; the upper line lies in front"),
-             {{0, 1}, {1, 0}},
-             2}};
+    return {
+        {QT_TRANSLATE_NOOP("knittsim::ui", "Two together, leaning right; the hole beside it is an eyelet"),
+         {{0, 1}},
+         2},
+        {QT_TRANSLATE_NOOP("knittsim::ui", "Two together, leaning left; the hole beside it is an eyelet"),
+         {{1, 0}},
+         2},
+        {QT_TRANSLATE_NOOP("knittsim::ui", "Cable: loops change places; the upper line lies in front"),
+         {{0, 1}, {1, 0}},
+         2}};
 }
 
 std::array<bool, 3> movesUsed(const pattern::Chart& chart) {
@@ -49,8 +50,8 @@ std::array<bool, 3> movesUsed(const pattern::Chart& chart) {
 
 std::vector<LegendEntry> legendOf(const pattern::Chart& chart, SymbolSet symbols) {
     std::vector<LegendEntry> legend;
-    for (const Stitch stitch : {Stitch::Knit, Stitch::Purl, Stitch::Both, Stitch::Tuck, Stitch::Miss,
-                                Stitch::Rest, Stitch::Empty}) {
+    for (int i = 0; i < pattern::kStitches; ++i) {
+        const auto stitch = static_cast<Stitch>(i);
         if (std::ranges::find(chart.cells, stitch, &pattern::Cell::stitch) != chart.cells.end()) {
             legend.push_back({stitchName(stitch),
                               [stitch, symbols](QPainter& painter, const QRectF& rect, const QColor& ink) {
@@ -63,7 +64,7 @@ std::vector<LegendEntry> legendOf(const pattern::Chart& chart, SymbolSet symbols
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         if (used[i]) {
             legend.push_back(
-                {QCoreApplication::translate("Legend", kinds[i].name),
+                {QCoreApplication::translate("knittsim::ui", kinds[i].name),
                  [kind = kinds[i], symbols](QPainter& painter, const QRectF& rect, const QColor& ink) {
                      const double width = rect.width() / kind.cells;
                      const auto cellOf = [&](int wale) {

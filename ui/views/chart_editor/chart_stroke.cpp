@@ -56,7 +56,9 @@ void ChartStroke::stampAt(CellPlace at) {
 }
 
 QString ChartStroke::text() const {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("ChartStroke", text); };
+    const auto tr = [](const char* text) {
+        return QCoreApplication::translate("knittsim::ui::ChartStroke", text);
+    };
     switch (m_tool) {
     case ChartTool::Pencil:
         return tr("pencil");

@@ -22,7 +22,7 @@ constexpr int kMostNew = 1000;
 
 NewChartDialog::NewChartDialog(QString machine, QWidget* parent)
     : QDialog(parent), m_machine(std::move(machine)), m_wales(new QSpinBox(this)),
-      m_courses(new QSpinBox(this)), m_ground(new QComboBox(this)) {
+      m_courses(new QSpinBox(this)), m_ground(new QComboBox(this)), m_beds(new QComboBox(this)) {
     setObjectName(QStringLiteral("newChart"));
     setWindowTitle(tr("New chart"));
     for (QSpinBox* box : {m_wales, m_courses}) {
@@ -41,10 +41,15 @@ NewChartDialog::NewChartDialog(QString machine, QWidget* parent)
             m_ground->addItem(QString::fromStdString(module.name), QString::fromStdString(module.id));
         }
     }
+    m_beds->setObjectName(QStringLiteral("newBeds"));
+    m_beds->addItem(tr("One loop a wale: knit, purl, cables, lace"));
+    m_beds->addItem(tr("Both beds at once: jacquard with a back, tubes, full ribs"));
+    m_beds->setToolTip(tr("Whether front and rear needle of a wale work side by side"));
     auto* form = new QFormLayout;
     form->addRow(tr("&Wales"), m_wales);
     form->addRow(tr("&Courses"), m_courses);
     form->addRow(tr("&Ground"), m_ground);
+    form->addRow(tr("&Beds"), m_beds);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setText(tr("Create"));
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -62,6 +67,9 @@ pattern::Project NewChartDialog::project() const {
     const pattern::Module* ground = pattern::findModule(m_ground->currentData().toString().toStdString());
     pattern::tile(project.chart, {0, 0, project.chart.width, project.chart.height()}, ground->part,
                   pattern::PasteWhat::Stitches);
+    if (m_beds->currentIndex() == 1) {
+        pattern::useBeds(project.chart, pattern::BedUse::Double);
+    }
     return project;
 }
 

@@ -24,6 +24,7 @@ private:
     QSpinBox* m_wales;
     QSpinBox* m_courses;
     QComboBox* m_ground;
+    QComboBox* m_beds;
 };
 
 } // namespace knittsim::ui

@@ -13,13 +13,13 @@ namespace knittsim::ui {
 
 namespace {
 
-QString text(const char* source) {
-    return QCoreApplication::translate("OwnModules", source);
+QString tr(const char* text) {
+    return QCoreApplication::translate("knittsim::ui", text);
 }
 
 bool askName(QWidget* parent, const QString& title, QString name,
              const std::function<Diagnostics(const std::string&)>& use) {
-    QString question = text("Name of the module");
+    QString question = tr("Name of the module");
     while (true) {
         bool ok = false;
         name = QInputDialog::getText(parent, title, question, QLineEdit::Normal, name, &ok).trimmed();
@@ -37,13 +37,13 @@ bool askName(QWidget* parent, const QString& title, QString name,
 } // namespace
 
 bool saveAsOwnModule(QWidget* parent, const pattern::Chart& part) {
-    return askName(parent, text("Save as a module"), {}, [&](const std::string& name) {
+    return askName(parent, tr("Save as a module"), {}, [&](const std::string& name) {
         return pattern::saveOwnModule(pattern::ownModuleFolder(), name, part);
     });
 }
 
 void renameOwnModule(QWidget* parent, const QString& name) {
-    askName(parent, text("Rename the module"), name, [&](const std::string& newName) {
+    askName(parent, tr("Rename the module"), name, [&](const std::string& newName) {
         return newName == name.toStdString()
                    ? Diagnostics{}
                    : pattern::renameOwnModule(pattern::ownModuleFolder(), name.toStdString(), newName);
@@ -51,13 +51,13 @@ void renameOwnModule(QWidget* parent, const QString& name) {
 }
 
 void removeOwnModule(QWidget* parent, const QString& name) {
-    if (QMessageBox::question(parent, text("Delete the module"),
-                              text("Delete the module %1 for good?").arg(name)) != QMessageBox::Yes) {
+    if (QMessageBox::question(parent, tr("Delete the module"),
+                              tr("Delete the module %1 for good?").arg(name)) != QMessageBox::Yes) {
         return;
     }
     const Diagnostics problems = pattern::removeOwnModule(pattern::ownModuleFolder(), name.toStdString());
     if (!problems.empty()) {
-        QMessageBox::warning(parent, text("Delete the module"), document::causeText(problems.front()));
+        QMessageBox::warning(parent, tr("Delete the module"), document::causeText(problems.front()));
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include <QButtonGroup>
 #include <QEvent>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QPainter>
@@ -16,6 +17,7 @@
 #include <QWidgetAction>
 
 #include <algorithm>
+#include <array>
 
 namespace knittsim::ui {
 
@@ -74,12 +76,14 @@ QString groupName(pattern::ModuleGroup group) {
 
 StitchPalette::StitchPalette(ChartLook& look, QWidget* parent)
     : QWidget(parent), m_look(look), m_buttons(new QButtonGroup(this)) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(1);
+    auto* rows = new QGridLayout(this);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(1);
     m_buttons->setExclusive(false);
+    std::array<int, 2> places{}; // stitches of two beds stand below
     for (const Stitch stitch : {Stitch::Knit, Stitch::Purl, Stitch::Tuck, Stitch::Miss, Stitch::Rest,
-                                Stitch::Empty, Stitch::Both}) {
+                                Stitch::Empty, Stitch::Drop, Stitch::Both, Stitch::KnitTuck, Stitch::TuckKnit,
+                                Stitch::TuckBoth, Stitch::RearTuck, Stitch::RearMiss}) {
         auto* button = new QToolButton(this);
         button->setObjectName(QStringLiteral("stitch%1").arg(static_cast<int>(stitch)));
         button->setCheckable(true);
@@ -88,13 +92,14 @@ StitchPalette::StitchPalette(ChartLook& look, QWidget* parent)
         button->setToolTip(stitchName(stitch));
         button->setAccessibleName(stitchName(stitch));
         m_buttons->addButton(button, static_cast<int>(stitch));
-        row->addWidget(button);
+        const int row = pattern::needsTwoBeds(stitch) ? 1 : 0;
+        rows->addWidget(button, row, places[static_cast<std::size_t>(row)]++);
         connect(button, &QToolButton::clicked, this, [this, stitch](bool on) {
             choose(on ? std::optional(stitch) : std::nullopt);
             emit changed();
         });
     }
-    row->addStretch();
+    rows->setColumnStretch(places[0], 1);
     connect(&m_look, &ChartLook::changed, this, &StitchPalette::takeLook);
     takeLook();
 }
@@ -112,10 +117,15 @@ void StitchPalette::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
 }
 
-void StitchPalette::setBothAllowed(bool allowed) {
-    QAbstractButton* both = m_buttons->button(static_cast<int>(Stitch::Both));
-    both->setVisible(allowed);
-    if (!allowed && both->isChecked()) {
+void StitchPalette::setTwoBeds(bool two) {
+    bool gone = false;
+    for (QAbstractButton* button : m_buttons->buttons()) {
+        if (pattern::needsTwoBeds(static_cast<Stitch>(m_buttons->id(button)))) {
+            button->setVisible(two);
+            gone = gone || (!two && button->isChecked());
+        }
+    }
+    if (gone) {
         choose(Stitch::Knit);
         emit changed();
     }

@@ -20,7 +20,7 @@ class StitchPalette : public QWidget {
 public:
     explicit StitchPalette(ChartLook& look, QWidget* parent = nullptr);
 
-    void setBothAllowed(bool allowed);
+    void setTwoBeds(bool two);
     void choose(std::optional<pattern::Stitch> stitch);
     std::optional<pattern::Stitch> chosen() const;
 

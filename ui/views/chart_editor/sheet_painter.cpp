@@ -25,7 +25,7 @@ constexpr double kEntryWidth = 250;
 constexpr double kLeastWithSymbol = 4; ///< smaller ones would be a smear
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("ChartSheet", text);
+    return QCoreApplication::translate("knittsim::ui::SheetPainter", text);
 }
 
 /// Numbers stand so far apart that they do not touch.

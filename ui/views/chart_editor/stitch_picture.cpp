@@ -8,12 +8,40 @@
 #include <QPainterPath>
 
 #include <algorithm>
+#include <optional>
 
 namespace knittsim::ui {
 
 using document::StitchKind;
 using document::StitchMark;
 using pattern::Stitch;
+
+namespace {
+
+/// Both needles of the wale: the rear one above, the front one below. A needle without a mark does nothing.
+void paintBeds(QPainter& painter, const QRectF& rect, std::optional<StitchKind> rear,
+               std::optional<StitchKind> front, SymbolSet symbols, const QColor& ink) {
+    const QRectF upper(rect.topLeft(), QSizeF(rect.width(), rect.height() / 2));
+    if (rear) {
+        paintSymbol(painter, upper, StitchMark{.kind = *rear, .rear = true}, symbols, ink);
+    }
+    if (front) {
+        paintSymbol(painter, upper.translated(0, rect.height() / 2), StitchMark{.kind = *front}, symbols,
+                    ink);
+    }
+}
+
+void paintDrop(QPainter& painter, const QRectF& rect, const QColor& ink) {
+    const double half = 0.26 * std::min(rect.width(), rect.height() * 1.2);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(ink, std::max(1.1, 0.19 * half * 2), Qt::SolidLine, Qt::RoundCap));
+    for (const double way : {-1.0, 1.0}) {
+        painter.drawLine(rect.center() - QPointF(half, way * half),
+                         rect.center() + QPointF(half, way * half));
+    }
+}
+
+} // namespace
 
 void paintStitch(QPainter& painter, const QRectF& rect, Stitch stitch, SymbolSet symbols, const QColor& ink) {
     switch (stitch) {
@@ -23,12 +51,21 @@ void paintStitch(QPainter& painter, const QRectF& rect, Stitch stitch, SymbolSet
         return paintSymbol(painter, rect, StitchMark{.kind = StitchKind::Knit, .rear = true}, symbols, ink);
     case Stitch::Tuck:
         return paintSymbol(painter, rect, StitchMark{.kind = StitchKind::Tuck}, symbols, ink);
-    case Stitch::Both: {
-        const QRectF upper(rect.topLeft(), QSizeF(rect.width(), rect.height() / 2));
-        paintSymbol(painter, upper, StitchMark{.kind = StitchKind::Knit, .rear = true}, symbols, ink);
-        return paintSymbol(painter, upper.translated(0, rect.height() / 2),
-                           StitchMark{.kind = StitchKind::Knit}, symbols, ink);
-    }
+    case Stitch::Both:
+        return paintBeds(painter, rect, StitchKind::Knit, StitchKind::Knit, symbols, ink);
+    case Stitch::KnitTuck:
+        return paintBeds(painter, rect, StitchKind::Tuck, StitchKind::Knit, symbols, ink);
+    case Stitch::TuckKnit:
+        return paintBeds(painter, rect, StitchKind::Knit, StitchKind::Tuck, symbols, ink);
+    case Stitch::TuckBoth:
+        return paintBeds(painter, rect, StitchKind::Tuck, StitchKind::Tuck, symbols, ink);
+    case Stitch::RearTuck:
+        return paintBeds(painter, rect, StitchKind::Tuck, std::nullopt, symbols, ink);
+    case Stitch::RearMiss:
+        return paintSymbol(painter, QRectF(rect.topLeft(), QSizeF(rect.width(), rect.height() / 2)),
+                           NoLoop::Miss, symbols, ink);
+    case Stitch::Drop:
+        return paintDrop(painter, rect, ink);
     case Stitch::Miss:
         return paintSymbol(painter, rect, NoLoop::Miss, symbols, ink);
     case Stitch::Rest:
@@ -141,7 +178,7 @@ QPixmap pictureOf(const pattern::Chart& part, const QSize& size, double ratio, c
 }
 
 QString stitchName(Stitch stitch) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("Stitch", text); };
+    const auto tr = [](const char* text) { return QCoreApplication::translate("knittsim::ui", text); };
     switch (stitch) {
     case Stitch::Knit:
         return tr("Knit: stitch on the front bed");
@@ -157,6 +194,18 @@ QString stitchName(Stitch stitch) {
         return tr("Rest: the yarn does not come here, the loop is held");
     case Stitch::Empty:
         return tr("Empty: no fabric here");
+    case Stitch::KnitTuck:
+        return tr("Knit on the front bed, tuck on the rear bed");
+    case Stitch::TuckKnit:
+        return tr("Tuck on the front bed, knit on the rear bed");
+    case Stitch::TuckBoth:
+        return tr("Tuck on both beds");
+    case Stitch::RearTuck:
+        return tr("Tuck on the rear bed");
+    case Stitch::RearMiss:
+        return tr("Miss on the rear bed");
+    case Stitch::Drop:
+        return tr("Drop: the loops of the needle fall off before the course");
     }
     return {};
 }

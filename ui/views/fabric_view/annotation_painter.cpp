@@ -101,7 +101,7 @@ void paintEdge(QPainter& painter, QSize size, QPointF a, QPointF b, QPointF midd
 QStringList dimensionTexts(double millimetres, double spacingMm, const QString& gauge) {
     constexpr double kGaugeMm = 100;
     QStringList texts{lengthText(millimetres),
-                      QCoreApplication::translate("FabricView", "%1 mm")
+                      QCoreApplication::translate("knittsim::ui::FabricView", "%1 mm")
                           .arg(QLocale().toString(millimetres, 'f', millimetres < 100 ? 1 : 0))};
     if (spacingMm > 0) {
         texts.prepend(QStringLiteral("%1 \u00b7 %2")
@@ -113,7 +113,7 @@ QStringList dimensionTexts(double millimetres, double spacingMm, const QString& 
 } // namespace
 
 QString lengthText(double millimetres) {
-    return QCoreApplication::translate("FabricView", "%1 mm (%2 in)")
+    return QCoreApplication::translate("knittsim::ui::FabricView", "%1 mm (%2 in)")
         .arg(QLocale().toString(millimetres, 'f', 1), QLocale().toString(millimetres / kInchMm, 'f', 2));
 }
 
@@ -137,13 +137,13 @@ void paintDimensions(QPainter& painter, QSize size, const CanvasContent& content
     const geometry::Measurement measured = annotations.size.value_or(geometry::Measurement());
     paintEdge(painter, size, corner(box.low.x(), box.low.y()), corner(box.high.x(), box.low.y()), middle,
               dimensionTexts(box.size().x(), measured.waleSpacingMm,
-                             QCoreApplication::translate("FabricView", "%1 wales in 10 cm")),
+                             QCoreApplication::translate("knittsim::ui::FabricView", "%1 wales in 10 cm")),
               ink);
     // On the left of the picture, whichever side is seen.
     const float left = content.camera.towardsViewer().z() > 0 ? box.low.x() : box.high.x();
     paintEdge(painter, size, corner(left, box.low.y()), corner(left, box.high.y()), middle,
               dimensionTexts(box.size().y(), measured.courseSpacingMm,
-                             QCoreApplication::translate("FabricView", "%1 courses in 10 cm")),
+                             QCoreApplication::translate("knittsim::ui::FabricView", "%1 courses in 10 cm")),
               ink);
 }
 

@@ -27,10 +27,13 @@ struct CanvasContent {
     std::optional<std::pair<Vec3f, Vec3f>> pull; ///< where a person pulls yarn, and where to
     render::ColourBy colourBy = render::ColourBy::Yarn;
     std::optional<render::Section> section;
-    bool hair = true; ///< of hairy yarn seen near by
+    bool hair = true;                         ///< of hairy yarn seen near by
+    std::optional<render::DetailLevel> level; ///< of detail, fixed by the person
     bool dark = false;
-    bool legend = true; ///< explain the bare mesh
-    double paintMs = 0; ///< told back by the canvas
+    bool legend = true;                            ///< explain the bare mesh
+    double paintMs = 0;                            ///< told back by the canvas, as is what it drew:
+    std::optional<render::DetailLevel> levelDrawn; ///< nothing: none is known
+    std::function<void()> painted = [] {};         ///< called after these have changed
 };
 
 /// Something that shows the fabric: OpenGL, software OpenGL on a thread, or QPainter where there is none.
@@ -43,15 +46,17 @@ public:
     virtual QImage picture() = 0;
 };
 
-/// Draws with the window system's OpenGL. Null when it offers none, or software only, or less than 3.3;
-/// `reason` then says why. `content` must outlive the canvas. `failed` is called, from the event loop, when
-/// drawing turns out to be impossible later.
+/// Draws with the window system's OpenGL. Null when it offers none, or less than 3.3, or software only and
+/// `software` does not allow that; `reason` then says why. `content` must outlive the canvas. `failed` is
+/// called, from the event loop, when drawing turns out to be impossible later.
 std::unique_ptr<Canvas> makeGlCanvas(QWidget* parent, CanvasContent& content,
-                                     std::function<void(QString)> failed, QString& reason);
+                                     std::function<void(QString)> failed, QString& reason, bool software);
 
 /// Draws with OpenGL on a thread of its own (software OpenGL is slow) and paints the pictures. Needs no
-/// OpenGL of the window system. Null when there is no OpenGL at all; `reason` then says why.
-std::unique_ptr<Canvas> makeThreadedCanvas(QWidget* parent, CanvasContent& content, QString& reason);
+/// OpenGL of the window system. Null when there is no OpenGL at all; `reason` then says why. `failed` as
+/// above.
+std::unique_ptr<Canvas> makeThreadedCanvas(QWidget* parent, CanvasContent& content,
+                                           std::function<void(QString)> failed, QString& reason);
 
 std::unique_ptr<Canvas> makeFlatCanvas(QWidget* parent, CanvasContent& content);
 

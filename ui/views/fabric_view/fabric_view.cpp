@@ -18,9 +18,16 @@ FabricView::FabricView(QWidget* parent) : QWidget(parent), m(std::make_unique<Im
     setAccessibleDescription(
         tr("The knitted fabric in three dimensions. Drag to turn it, drag with Shift to move "
            "it, turn the wheel to come nearer, click a stitch to select it."));
+    m->content.painted = [this] { m->takeDetail(); };
     m->content.camera.setViewport(width(), height());
     m->makeCanvas();
     m->overlay = new Overlay(this, m->content, m->annotations);
+    m->overlay->onPaint([this] {
+        const bool fits = m->shownFabric == m->fabric; // else it is the picture before
+        if (fits && (m->annotations.dimensions || m->annotations.guides)) {
+            m->measure();
+        }
+    });
     m->overlay->setMessage(m->glReason.isEmpty() ? tr("No fabric yet") : m->glReason);
     m->placeChildren();
 }
@@ -218,6 +225,20 @@ bool FabricView::hasHair() const {
     return m->content.hair;
 }
 
+void FabricView::setDetail(std::optional<render::DetailLevel> level) {
+    m->content.level = level;
+    m->canvas->refresh();
+    emit displayChanged();
+}
+
+std::optional<render::DetailLevel> FabricView::detail() const {
+    return m->content.level;
+}
+
+std::optional<render::DetailLevel> FabricView::detailDrawn() const {
+    return m->shownDetail;
+}
+
 void FabricView::setLegend(bool on) {
     m->content.legend = on;
     m->overlay->update();
@@ -259,6 +280,7 @@ void FabricView::takeDisplay(const FabricView& other) {
     setColourBy(other.colourBy());
     setDark(other.m->content.dark);
     setHair(other.hasHair());
+    setDetail(other.detail());
     setDimensions(other.hasDimensions());
     setGuides(other.hasGuides());
     setProblemMarks(other.hasProblemMarks());

@@ -85,6 +85,10 @@ public:
     void setDark(bool on); ///< dark or light background
     void setHair(bool on); ///< loose fibres of hairy yarn, seen near by
     bool hasHair() const;
+    void setDetail(std::optional<render::DetailLevel> level); ///< nothing: as the size on the screen asks
+    std::optional<render::DetailLevel> detail() const;
+    /// What the last picture shows; nothing in the mesh style, and where it is not known.
+    std::optional<render::DetailLevel> detailDrawn() const;
     void setLegend(bool on); ///< explains the bonding points of the mesh style
     bool hasLegend() const;
     void setDragMode(bool on); ///< plain left drag pulls bonding points
@@ -113,6 +117,7 @@ public:
     enum class Alone { Nothing, Yarn, Course };
     bool showAlone(Alone what);
     Alone alone() const;
+    QString shownPart() const;             ///< what is shown alone, in words; empty: all
     std::vector<bool> shownPoints() const; ///< by bonding point of the fabric shown; empty: all
 
     /// A photograph over or beside the fabric; it stays when the fabric changes.
@@ -165,6 +170,7 @@ signals:
     void dragEnded();
     void cameraMoved();
     void photographChanged();
+    void detailDrawnChanged();
     void displayChanged();             ///< what takeDisplay() takes
     void sceneChanged();               ///< another shape is shown; bounds()
     void measured(double millimetres); ///< both ends of the tape are set

@@ -30,14 +30,9 @@ void FabricView::Implementation::takePlaces(std::span<const float> positions) {
 
 /// Puts the annotations where the fabric is now.
 void FabricView::Implementation::annotate() {
-    annotations.size.reset();
-    annotations.lattice.reset();
+    measured = false;
     annotations.problems.clear();
     if (fabric && !fabric->points.empty()) {
-        annotations.size = geometry::measure(*fabric, places);
-        if (annotations.guides) {
-            annotations.lattice = geometry::stitchLattice(*fabric, places);
-        }
         for (const LoopProblem& problem : problems) {
             if (const auto place = placeOfLoop(problem.loop)) {
                 annotations.problems.push_back({*place, problem.severity});
@@ -45,6 +40,22 @@ void FabricView::Implementation::annotate() {
         }
     }
     placeMarks();
+}
+
+/// When it is painted or asked for: shapes may follow each other faster.
+void FabricView::Implementation::measure() {
+    if (measured) {
+        return;
+    }
+    measured = true;
+    annotations.size.reset();
+    annotations.lattice.reset();
+    if (fabric && !fabric->points.empty()) {
+        annotations.size = geometry::measure(*fabric, places);
+        if (annotations.guides) {
+            annotations.lattice = geometry::stitchLattice(*fabric, places);
+        }
+    }
 }
 
 /// All of the scene, or the yarn or course that is to be seen alone.
@@ -209,11 +220,16 @@ QStringList FabricView::words() const {
     return words;
 }
 
+QString FabricView::shownPart() const {
+    return m->annotations.alone;
+}
+
 std::vector<bool> FabricView::shownPoints() const {
     return m->keep;
 }
 
 std::optional<geometry::Measurement> FabricView::measurement() const {
+    m->measure();
     return m->annotations.size;
 }
 

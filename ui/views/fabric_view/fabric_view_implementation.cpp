@@ -30,10 +30,11 @@ void FabricView::Implementation::makeCanvas() {
     const QByteArray wanted = qgetenv("KNITTSIM_OPENGL");
     if (wanted.isEmpty() || wanted == "window") {
         canvas = makeGlCanvas(
-            &view, content, [this](const QString& reason) { useFlatCanvas(reason); }, glReason);
+            &view, content, [this](const QString& reason) { useAnotherCanvas(reason); }, glReason,
+            wanted == "window");
     }
     if (!canvas && wanted != "none") {
-        canvas = makeThreadedCanvas(&view, content, glReason);
+        canvas = threadedCanvas(glReason);
     }
     if (wanted == "none") {
         glReason = tr("OpenGL is switched off.");
@@ -42,6 +43,24 @@ void FabricView::Implementation::makeCanvas() {
         const QString reason = glReason;
         useFlatCanvas(reason);
     }
+}
+
+std::unique_ptr<Canvas> FabricView::Implementation::threadedCanvas(QString& reason) {
+    return makeThreadedCanvas(
+        &view, content, [this](const QString& why) { useFlatCanvas(why); }, reason);
+}
+
+/// After the window system's OpenGL has failed: a context of its own may still work.
+void FabricView::Implementation::useAnotherCanvas(const QString& reason) {
+    QString none;
+    auto next = threadedCanvas(none);
+    if (!next) {
+        useFlatCanvas(reason);
+        return;
+    }
+    canvas = std::move(next);
+    placeChildren();
+    canvas->refresh();
 }
 
 void FabricView::Implementation::useFlatCanvas(const QString& reason) {
@@ -172,6 +191,15 @@ void FabricView::Implementation::pullTo(QPointF where) {
         pullTarget = *place;
         placeMarks();
         emit view.dragMoved(pulled.point, toQt(*place));
+    }
+}
+
+void FabricView::Implementation::takeDetail() {
+    const auto drawn =
+        content.scene && content.scene->style != render::DrawStyle::Mesh ? content.levelDrawn : std::nullopt;
+    if (drawn != shownDetail) {
+        shownDetail = drawn;
+        emit view.detailDrawnChanged();
     }
 }
 

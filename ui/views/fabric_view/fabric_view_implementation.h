@@ -28,6 +28,7 @@ struct FabricView::Implementation {
     std::vector<int> pins;                                ///< bonding points of `fabric`
     std::shared_ptr<const render::SceneFrame> wholeScene; ///< of which content.scene may be a part
     Annotations annotations;
+    bool measured = false; ///< size and lattice of the annotations are those of `places`
     std::array<QPointF, 2> photoPoints;  ///< pixels, while a photograph is aligned
     std::array<QPointF, 2> fabricPoints; ///< mm
     std::vector<LoopProblem> problems;   ///< of `fabric`
@@ -46,6 +47,7 @@ struct FabricView::Implementation {
     Vec3f fitRoom = Vec3f::Zero(); ///< see setFitRoom()
     bool dragMode = false;
     int selectedPoint = -1; ///< of `fabric`
+    std::optional<render::DetailLevel> shownDetail;
 
     enum class Gesture { None, Press, Orbit, Pan, Pull } gesture = Gesture::None;
     QPointF pressed;
@@ -54,6 +56,8 @@ struct FabricView::Implementation {
     std::optional<Vec3f> pullTarget; ///< once the mouse has moved
 
     void makeCanvas();
+    std::unique_ptr<Canvas> threadedCanvas(QString& reason);
+    void useAnotherCanvas(const QString& reason);
     void useFlatCanvas(const QString& reason);
     void placeChildren();
     void request();
@@ -70,12 +74,14 @@ struct FabricView::Implementation {
     std::optional<Vec3f> placeOfLoop(int loop) const;
     void takePlaces(std::span<const float> positions);
     void annotate();
+    void measure();
     void alignClick(QPointF where);
     void showParts();
     std::optional<Vec3f> tapePlaceAt(QPointF where) const;
     void tapeClick(QPointF where);
     void moveSection(double notches);
     QString describe(int loop) const;
+    void takeDetail();
 
     render::SceneWorker worker; // last: it may call back until it is gone
 };

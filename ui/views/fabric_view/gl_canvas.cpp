@@ -1,8 +1,10 @@
+#include "ui/render/level_of_detail.h"
 #include "ui/views/fabric_view/canvas.h"
 #include "ui/views/fabric_view/reason_text.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QEvent>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
@@ -15,19 +17,18 @@ namespace knittsim::ui {
 
 namespace {
 
-constexpr GLenum kContextLost = 0x0507; ///< GL_CONTEXT_LOST, of OpenGL 4.5 and of extensions before
-
 QSurfaceFormat wantedFormat() {
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setDepthBufferSize(24);
     format.setSamples(4);
+    format.setOption(QSurfaceFormat::ResetNotification);
     return format;
 }
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("knittsim::ui::FabricView", text);
+    return QCoreApplication::translate("knittsim::ui", text);
 }
 
 bool isSoftware(const QString& renderer) {
@@ -39,7 +40,7 @@ bool isSoftware(const QString& renderer) {
 
 /// Empty when a quick OpenGL 3.3 context can be made and used. QOpenGLWidget itself crashes where there is
 /// none.
-QString whyNoContext() {
+QString whyNoContext(bool mayBeSoftware) {
     QOpenGLContext context;
     context.setFormat(wantedFormat());
     if (!context.create()) {
@@ -54,7 +55,7 @@ QString whyNoContext() {
     const auto* name = reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));
     const bool software = isSoftware(QString::fromLatin1(name));
     context.doneCurrent();
-    if (software) {
+    if (software && !mayBeSoftware) {
         return tr("This display has software OpenGL only.");
     }
     if (context.format().version() < qMakePair(3, 3)) {
@@ -68,6 +69,8 @@ QString whyNoContext() {
 } // namespace
 
 class GlCanvas final : public QOpenGLWidget, public Canvas {
+    Q_DECLARE_TR_FUNCTIONS(knittsim::ui::GlCanvas)
+
 public:
     GlCanvas(QWidget* parent, CanvasContent& content, std::function<void(QString)> failed)
         : QOpenGLWidget(parent), m_content(content), m_failed(std::move(failed)) {
@@ -82,6 +85,19 @@ public:
     QImage picture() override { return width() > 0 && height() > 0 ? grabFramebuffer() : QImage(); }
 
 protected:
+    bool event(QEvent* event) override {
+        if (event->type() != QEvent::WindowChangeInternal) {
+            return QOpenGLWidget::event(event);
+        }
+        // In another window Qt makes everything anew, of a format that has lost its samples; a hidden widget
+        // waits, so that the format can be asked for once more.
+        hide();
+        const bool known = QOpenGLWidget::event(event);
+        setFormat(wantedFormat());
+        show();
+        return known;
+    }
+
     void initializeGL() override {
         connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { release(); });
         auto created = render::FabricRenderer::create();
@@ -121,13 +137,18 @@ protected:
         view.height = qRound(height() * devicePixelRatioF());
         view.section = m_content.section;
         view.hair = m_content.hair;
+        view.level = m_content.level;
         view.dark = m_content.dark;
         m_renderer->draw(view);
-        if (context()->functions()->glGetError() == kContextLost) {
+        if (render::FabricRenderer::contextIsLost()) {
             giveUp(tr("The graphics driver was reset."));
             return;
         }
         m_content.paintMs = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+        m_content.levelDrawn = m_content.scene
+                                   ? std::optional(levelDrawn(*m_content.scene, m_content.looks, view))
+                                   : std::nullopt;
+        m_content.painted();
     }
 
 private:
@@ -152,8 +173,8 @@ private:
 };
 
 std::unique_ptr<Canvas> makeGlCanvas(QWidget* parent, CanvasContent& content,
-                                     std::function<void(QString)> failed, QString& reason) {
-    reason = whyNoContext();
+                                     std::function<void(QString)> failed, QString& reason, bool software) {
+    reason = whyNoContext(software);
     if (!reason.isEmpty()) {
         return nullptr;
     }

@@ -86,6 +86,9 @@ std::vector<Overlay::Word> Overlay::words() const {
 }
 
 void Overlay::paintEvent(QPaintEvent*) {
+    if (m_prepare) {
+        m_prepare();
+    }
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_content.scene) {
@@ -298,7 +301,10 @@ void Overlay::paintScale(QPainter& painter) const {
     const double right = width() - kMargin;
     constexpr int kAboveWidth = 26; // the width of a fabric that fills the view stands below
     const double y = height() - kMargin - (m_annotations.dimensions ? kAboveWidth : 0);
-    const QString text = tr("%1 mm").arg(QLocale().toString(millimetres, 'g', 6));
+    constexpr double kInchMm = 25.4;
+    const QString text =
+        tr("%1 mm (%2 in)")
+            .arg(QLocale().toString(millimetres, 'g', 6), QLocale().toString(millimetres / kInchMm, 'g', 2));
     const QPolygonF bar({{right - pixels, y - 6}, {right - pixels, y}, {right, y}, {right, y - 6}});
     painter.setBrush(Qt::NoBrush);
     for (const QPen& pen : {QPen(ground(), 5), QPen(ink(), 2)}) { // the fabric may lie behind

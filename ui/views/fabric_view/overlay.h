@@ -4,6 +4,7 @@
 
 #include <QWidget>
 
+#include <functional>
 #include <vector>
 
 namespace knittsim::ui {
@@ -16,6 +17,9 @@ class Overlay : public QWidget {
 
 public:
     Overlay(QWidget* parent, const CanvasContent& content, const Annotations& annotations);
+
+    /// Called before each painting: brings the annotations up to date.
+    void onPaint(std::function<void()> prepare) { m_prepare = std::move(prepare); }
 
     /// Shown in the middle while there is nothing to see, and as a note above the scale bar.
     void setMessage(const QString& message);
@@ -52,6 +56,7 @@ private:
 
     const CanvasContent& m_content;
     const Annotations& m_annotations;
+    std::function<void()> m_prepare;
     QString m_message;
 };
 

@@ -2,8 +2,10 @@
 #include "ui/views/fabric_view/canvas.h"
 #include "ui/views/fabric_view/reason_text.h"
 
+#include <QCoreApplication>
 #include <QPainter>
 #include <QPointer>
+#include <QTimer>
 #include <QWidget>
 
 namespace knittsim::ui {
@@ -24,7 +26,8 @@ QImage toQt(const std::shared_ptr<const render::Image>& image, qreal ratio) {
 
 class ThreadedCanvas final : public QWidget, public Canvas {
 public:
-    ThreadedCanvas(QWidget* parent, CanvasContent& content) : QWidget(parent), m_content(content) {
+    ThreadedCanvas(QWidget* parent, CanvasContent& content, std::function<void(QString)> failed)
+        : QWidget(parent), m_content(content), m_failed(std::move(failed)) {
         setAttribute(Qt::WA_TransparentForMouseEvents);
         setAttribute(Qt::WA_OpaquePaintEvent);
     }
@@ -68,6 +71,7 @@ public:
         request.view.height = pixels.height();
         request.view.section = m_content.section;
         request.view.hair = m_content.hair;
+        request.view.level = m_content.level;
         request.view.dark = m_content.dark;
         m_thread->post(std::move(request));
     }
@@ -94,21 +98,41 @@ protected:
 
 private:
     void takePicture() {
+        if (const Diagnostics failure = m_thread->failure(); !failure.empty()) {
+            giveUp(reasonText(failure));
+            return;
+        }
         auto picture = m_thread->take();
         if (picture && !picture->image.pixels.empty()) {
             m_content.paintMs = picture->milliseconds;
+            m_content.levelDrawn = picture->level;
+            m_content.painted();
+            if (picture->tooLarge) {
+                giveUp(tr("The fabric is too large for this graphics driver."));
+            }
             m_picture = toQt(std::make_shared<render::Image>(std::move(picture->image)), devicePixelRatioF());
             update();
         }
     }
 
+    void giveUp(const QString& reason) {
+        // Not from inside a call of this canvas: the answer is to delete it.
+        QTimer::singleShot(0, this, [this, reason] { m_failed(reason); });
+    }
+
+    static QString tr(const char* text) {
+        return QCoreApplication::translate("knittsim::ui::FabricView", text);
+    }
+
     CanvasContent& m_content;
+    std::function<void(QString)> m_failed;
     QImage m_picture;
     std::unique_ptr<render::RenderThread> m_thread; // last: it calls back until it is gone
 };
 
-std::unique_ptr<Canvas> makeThreadedCanvas(QWidget* parent, CanvasContent& content, QString& reason) {
-    auto canvas = std::make_unique<ThreadedCanvas>(parent, content);
+std::unique_ptr<Canvas> makeThreadedCanvas(QWidget* parent, CanvasContent& content,
+                                           std::function<void(QString)> failed, QString& reason) {
+    auto canvas = std::make_unique<ThreadedCanvas>(parent, content, std::move(failed));
     reason = canvas->start();
     if (!reason.isEmpty()) {
         return nullptr;

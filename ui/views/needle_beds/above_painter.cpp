@@ -124,6 +124,7 @@ void AbovePainter::paint() {
             }
         }
     }
+    paintCounts();
     paintCarriers();
     paintNumbers(Bed::Rear);
     paintNumbers(Bed::Front);
@@ -315,6 +316,27 @@ void AbovePainter::paintCarrier(const machine::SeenCarrier& carrier) {
         m_painter.setBrush(Qt::NoBrush);
         m_painter.setPen(QPen(m_colours.text, 2, Qt::SolidLine, Qt::RoundCap));
         m_painter.drawPath(hook);
+    }
+}
+
+/// How many loops lie on each other where one would not see it.
+void AbovePainter::paintCounts() {
+    if (m_layout.pitch < kLeastPitchWithLoops) {
+        return;
+    }
+    m_painter.setPen(m_colours.text);
+    for (const SeenNeedle& needle : m_scene.picture.needles) {
+        const QString text = countText(needle);
+        if (text.isEmpty()) {
+            continue;
+        }
+        const QPointF centre = m_layout.at(needle.needle.bed, needle.pitches, -0.62 * m_layout.bedHeight());
+        const QFontMetricsF metrics(m_painter.font());
+        QRectF plate(0, 0, metrics.horizontalAdvance(text) + 6, metrics.height());
+        plate.moveCenter(centre);
+        m_painter.setBrush(m_colours.bed);
+        m_painter.drawRoundedRect(plate, 3, 3);
+        m_painter.drawText(plate, Qt::AlignCenter, text);
     }
 }
 

@@ -39,6 +39,7 @@ private:
     void paintHook(const machine::SeenNeedle& needle);
     void paintLoop(machine::LoopIndex loop, const LoopForm& form);
     void paintNumbers(machine::Bed bed);
+    void paintCounts();
     void paintCarriers();
     void paintCarrier(const machine::SeenCarrier& carrier);
     double tipOf(const machine::SeenNeedle& needle) const;

@@ -21,6 +21,13 @@ bool BedScene::works(machine::Needle needle) const {
     return std::ranges::find(working, needle) != working.end();
 }
 
+QString countText(const machine::SeenNeedle& needle) {
+    const auto held = std::ranges::count_if(needle.loops, [](const machine::SeenLoop& loop) {
+        return loop.place != machine::LoopPlace::KnockedOver;
+    });
+    return held > 1 ? QStringLiteral("\u00d7%1").arg(held) : QString();
+}
+
 BedColours::BedColours(const QPalette& palette) {
     const bool dark = isDark(palette);
     const Accents accents = accentsOf(palette);

@@ -26,6 +26,9 @@ struct BedScene {
     bool works(machine::Needle needle) const;
 };
 
+/// Loops that a needle holds, in words: "×3"; empty for one or none.
+QString countText(const machine::SeenNeedle& needle);
+
 /// Colours of the machine's parts.
 struct BedColours {
     explicit BedColours(const QPalette& palette);

@@ -123,15 +123,20 @@ std::optional<double> NeedleBeds::workingPlace() const {
     return machine::positionPitches(*needle, m_motion->at(m_clock.phase(), {0, -1}).rack);
 }
 
-/// Turns the page when the working needle comes near the rim.
+/// Turns the page when the working needle comes near the rim, but not to where there is no fabric.
 void NeedleBeds::keepInSight() {
-    if (const auto place = workingPlace()) {
-        const double half = 0.5 * m_layout.area.width() / m_layout.pitch;
-        const double rim = std::min(3.0, 0.2 * half);
-        if (std::abs(*place - m_layout.centre) > half - rim) {
-            m_layout.centre = *place;
-        }
+    const auto place = workingPlace();
+    const double half = 0.5 * m_layout.area.width() / m_layout.pitch;
+    const double rim = std::min(3.0, 0.2 * half);
+    if (!place || std::abs(*place - m_layout.centre) <= half - rim) {
+        return;
     }
+    const double first = m_file->grid->firstColumn();
+    const double last = first + m_file->grid->columnCount() - 1;
+    const double low = first - 1 + half;
+    const double high = last + 1 - half;
+    const double page = low < high ? std::clamp(*place, low, high) : 0.5 * (first + last);
+    m_layout.centre = std::abs(*place - page) < half - 0.5 ? page : *place;
 }
 
 void NeedleBeds::follow() {

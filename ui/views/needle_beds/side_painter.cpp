@@ -244,7 +244,8 @@ void SidePainter::paintFeeders() {
 
 void SidePainter::paintName(const SeenNeedle* needle, Bed bed) {
     const bool front = machine::isFront(bed);
-    const QString text = needle  ? document::needleText(needle->needle)
+    const QString count = needle ? countText(*needle) : QString();
+    const QString text = needle  ? (document::needleText(needle->needle) + u' ' + count).trimmed()
                          : front ? QCoreApplication::translate("beds", "front bed")
                                  : QCoreApplication::translate("beds", "rear bed");
     const bool works = needle && m_scene.works(needle->needle);

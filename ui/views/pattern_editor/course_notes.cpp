@@ -31,7 +31,7 @@ bool tells(const std::vector<CourseNote>& notes, SideColumn column) {
 }
 
 QString noteText(const CourseNote& note, int course) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("CourseNote", text); };
+    const auto tr = [](const char* text) { return QCoreApplication::translate("knittsim::ui", text); };
     QStringList parts{tr("Course %1").arg(course + 1)};
     for (const CourseNote::Yarn& yarn : note.yarns) {
         parts << (yarn.direction < 0   ? tr("carrier %1 to the left").arg(yarn.carrier)

@@ -14,7 +14,7 @@ using document::StitchKind;
 using document::StitchMark;
 
 QString nameOf(const StitchMark& mark) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("Legend", text); };
+    const auto tr = [](const char* text) { return QCoreApplication::translate("knittsim::ui", text); };
     if (mark.dropped) {
         return tr("Loop that was dropped");
     }

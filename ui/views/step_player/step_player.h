@@ -47,6 +47,9 @@ public:
     void goToLine(int line);
     void askForLine();
 
+    /// Playing waits, for example until a sentence is spoken.
+    void setWaiting(bool on) { m_waiting = on; }
+
     /// The operation in words below the buttons.
     void setWords(bool on);
 
@@ -85,6 +88,7 @@ private:
     Playback m_playback;
     QTimer m_timer;
     QElapsedTimer m_sinceTick;
+    bool m_waiting = false;
     document::StepMarks m_marks;
     document::StopFinder m_finder;
     document::CourseScale m_courses;

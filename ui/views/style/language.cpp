@@ -15,6 +15,7 @@ namespace knittsim::ui {
 namespace {
 
 const QString kOwn = QStringLiteral("translatorOfKnittSim");
+const QString kOfCore = QStringLiteral("translatorOfCore");
 const QString kOfQt = QStringLiteral("translatorOfQt");
 
 void install(QCoreApplication& application, const QString& name, const QString& file, const QString& folder) {
@@ -38,6 +39,7 @@ void applyLanguage(QCoreApplication& application, const QString& id) {
     loadTranslations();
     QLocale::setDefault(id.isEmpty() ? QLocale::system() : QLocale(id));
     install(application, kOwn, QStringLiteral("knittsim"), QStringLiteral(":/translations"));
+    install(application, kOfCore, QStringLiteral("core"), QStringLiteral(":/translations"));
     install(application, kOfQt, QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
 }
 

@@ -28,16 +28,16 @@ struct Fibre {
     const char* name;
     double density;
 };
-constexpr Fibre kFibres[] = {{QT_TRANSLATE_NOOP("YarnDialog", "wool"), 1.31},
-                             {QT_TRANSLATE_NOOP("YarnDialog", "cashmere"), 1.31},
-                             {QT_TRANSLATE_NOOP("YarnDialog", "alpaca"), 1.31},
-                             {QT_TRANSLATE_NOOP("YarnDialog", "cotton"), 1.54},
-                             {QT_TRANSLATE_NOOP("YarnDialog", "linen"), 1.50},
-                             {QT_TRANSLATE_NOOP("YarnDialog", "silk"), 1.34},
-                             {QT_TRANSLATE_NOOP("YarnDialog", "viscose"), 1.52},
-                             {QT_TRANSLATE_NOOP("YarnDialog", "acrylic"), 1.17},
-                             {QT_TRANSLATE_NOOP("YarnDialog", "polyester"), 1.38},
-                             {QT_TRANSLATE_NOOP("YarnDialog", "polyamide"), 1.14}};
+constexpr Fibre kFibres[] = {{QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "wool"), 1.31},
+                             {QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "cashmere"), 1.31},
+                             {QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "alpaca"), 1.31},
+                             {QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "cotton"), 1.54},
+                             {QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "linen"), 1.50},
+                             {QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "silk"), 1.34},
+                             {QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "viscose"), 1.52},
+                             {QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "acrylic"), 1.17},
+                             {QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "polyester"), 1.38},
+                             {QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "polyamide"), 1.14}};
 constexpr double kCorePacking = 0.9;
 constexpr const char* kSurfaces[] = {"smooth",   "hairy",   "bulky",  "matte", "glossy",
                                      "lustrous", "crimped", "slubby", "halo",  "soft"};

@@ -1,0 +1,2 @@
+// Before all other parts: the tube is round all around, never a ridge.
+#define ROUND
