@@ -312,6 +312,7 @@ void Overlay::paintScale(QPainter& painter) const {
     }
     QRectF label(QPointF(), QSizeF(fontMetrics().size(Qt::TextSingleLine, text)));
     label.moveCenter({right - pixels / 2, y - 8 - fontMetrics().height() / 2.0});
+    label.moveRight(std::min(label.right(), right)); // it may be wider than the bar
     paintLabel(painter, label, text);
 }
 
