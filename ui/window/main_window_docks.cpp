@@ -190,7 +190,7 @@ void MainWindow::takeClass() {
     m_toolBar->setVisible(!teaching);
     m_status->setVisible(!teaching);
     statusBar()->setVisible(!teaching);
-    setProperty(KeyGuard::kStepsEverywhere, teaching);
+    setProperty(KeyGuard::kSteps, teaching);
     applyContrast(*qApp, teaching);
 }
 

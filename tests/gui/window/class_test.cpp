@@ -88,34 +88,6 @@ private slots:
         }
     }
 
-    /// Outside of a class lists are walked with Up, Down, Home and End; all else steps the machine.
-    void listsLeaveSpaceAndTheSidewaysKeysToThePlayer() {
-        openFile("long.k");
-        press(Qt::Key_F3);
-        int tried = 0;
-        for (auto* list : m_window->findChildren<QAbstractItemView*>()) {
-            if (!list->isVisible() || list->focusPolicy() == Qt::NoFocus) {
-                continue;
-            }
-            list->setFocus();
-            if (QApplication::focusWidget() != list) {
-                continue;
-            }
-            ++tried;
-            document().setStep(10);
-            QTest::keyClick(list, Qt::Key_Right);
-            QVERIFY2(document().step() == 11, qPrintable(list->objectName()));
-            QTest::keyClick(list, Qt::Key_Left);
-            QTest::keyClick(list, Qt::Key_Down);
-            QTest::keyClick(list, Qt::Key_Home);
-            QVERIFY2(document().step() == 10, qPrintable(list->objectName()));
-            QTest::keyClick(list, Qt::Key_Space);
-            QVERIFY2(player().isPlaying(), qPrintable(list->objectName()));
-            QTest::keyClick(list, Qt::Key_Space);
-        }
-        QVERIFY(tried >= 2);
-    }
-
 private:
     StepPlayer& player() { return *m_window->findChild<StepPlayer*>(); }
     document::StepMarks& marks() { return player().marks(); }
