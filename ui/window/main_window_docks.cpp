@@ -98,7 +98,7 @@ void MainWindow::buildDocks() {
     steps->setFrameShape(QFrame::NoFrame);
     m_stepsDock = addDock(QStringLiteral("stepsDock"), tr("Steps"), steps, Qt::RightDockWidgetArea);
     connect(m_player, &StepPlayer::playingChanged, m_beds, &NeedleBeds::setPlaying);
-    connect(m_player, &StepPlayer::speedChanged, m_beds, &NeedleBeds::setSpeed);
+    connect(m_player, &StepPlayer::tempoChanged, m_beds, &NeedleBeds::setSpeed);
     m_beds->setSpeed(m_player->speed());
     for (const Qt::Corner corner : {Qt::TopLeftCorner, Qt::BottomLeftCorner}) {
         setCorner(corner, Qt::LeftDockWidgetArea);
@@ -191,6 +191,8 @@ void MainWindow::takeClass() {
     m_status->setVisible(!teaching);
     statusBar()->setVisible(!teaching);
     setProperty(KeyGuard::kSteps, teaching);
+    m_player->setSkimming(teaching);
+    m_fabric->setForClass(teaching);
     applyContrast(*qApp, teaching);
 }
 

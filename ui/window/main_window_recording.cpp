@@ -59,9 +59,9 @@ void MainWindow::buildRecordingMenu(QMenu* menu) {
 /// Every operation of the range that is set, else the bookmarks.
 std::vector<RecordedStep> MainWindow::stepsToRecord() const {
     const document::StepMarks& marks = std::as_const(*m_player).marks();
-    const machine::Program& program = m_document.file()->timeline->program();
+    const machine::Timeline& timeline = *m_document.file()->timeline;
     const auto words = [&](int step) {
-        return step == 0 ? tr("The empty machine.") : document::operationSentence(program, step - 1);
+        return step == 0 ? tr("The empty machine.") : document::operationSentence(timeline, step - 1);
     };
     std::vector<RecordedStep> steps;
     if (marks.loops()) {

@@ -100,9 +100,13 @@ void FabricView::Implementation::takePicture() {
     showParts();
     content.camera.setScene(content.scene->bounds);
     placeMarks();
-    if ((fitPending || (following && followFit)) && !content.scene->bounds.empty()) {
+    if (!content.scene->bounds.empty()) {
+        if (fitPending) {
+            fitCamera();
+        } else if (following && followFit) {
+            followScene();
+        }
         fitPending = false;
-        fitCamera();
     }
     changed();
     emit view.sceneChanged();
@@ -117,13 +121,48 @@ void FabricView::Implementation::changed() {
     canvas->refresh();
 }
 
-void FabricView::Implementation::fitCamera() {
+geometry::Bounds FabricView::Implementation::fitBox() const {
     geometry::Bounds box = content.scene->bounds;
     const Vec3f centre = box.centre();
     box.low = box.low.cwiseMin(centre - 0.5F * fitRoom);
     box.high = box.high.cwiseMax(centre + 0.5F * fitRoom);
-    content.camera.fit(box);
+    return forClass && !annotations.needles.empty() ? needleBox() : box;
+}
+
+/// The needles with loops, and as many courses below them as the shape of the view has room for.
+geometry::Bounds FabricView::Implementation::needleBox() const {
+    constexpr float kLeastWidth = 12; // mm
+    constexpr float kTall = 1.5F;     // courses matter more than a full width
+    geometry::Bounds box;
+    for (const fabric::NeedleHook& hook : annotations.needles) {
+        box.add(hook.place);
+        box.add(hook.place + hook.shaft);
+    }
+    const float wider = 0.5F * std::max(0.0F, kLeastWidth - box.size().x());
+    box.low.x() -= wider;
+    box.high.x() += wider;
+    const float shape = static_cast<float>(view.height()) / static_cast<float>(std::max(1, view.width()));
+    box.low.y() = std::min(box.low.y(), box.high.y() - kTall * box.size().x() * shape);
+    return box;
+}
+
+void FabricView::Implementation::fitCamera() {
+    content.camera.fit(fitBox());
     emit view.cameraMoved();
+}
+
+/// In class the picture stays where it is while what is worked at stays in it.
+void FabricView::Implementation::followScene() {
+    render::Camera fitted = content.camera;
+    fitted.fit(fitBox());
+    const render::CameraState& now = content.camera.state();
+    const render::CameraState& then = fitted.state();
+    const float nearer = now.halfHeight / then.halfHeight;
+    const bool same =
+        (now.target - then.target).norm() < 0.2F * then.halfHeight && nearer > 0.95F && nearer < 1.4F;
+    if (!(forClass && same)) {
+        fitCamera();
+    }
 }
 
 void FabricView::Implementation::moveCamera(const std::function<void(render::Camera&)>& move) {

@@ -43,6 +43,7 @@ struct FabricView::Implementation {
     QString glReason;
     bool fitPending = true;        ///< fit as soon as there is a picture
     bool following = false;        ///< see setFollowing()
+    bool forClass = false;         ///< see setForClass()
     bool followFit = true;         ///< the person has not moved the camera since the last fit
     Vec3f fitRoom = Vec3f::Zero(); ///< see setFitRoom()
     bool dragMode = false;
@@ -63,7 +64,10 @@ struct FabricView::Implementation {
     void request();
     void takePicture();
     void changed();
+    geometry::Bounds fitBox() const;
+    geometry::Bounds needleBox() const;
     void fitCamera();
+    void followScene();
     void moveCamera(const std::function<void(render::Camera&)>& move);
     void look(render::ViewSide side);
     std::optional<geometry::Pick> pickAt(QPointF where) const;

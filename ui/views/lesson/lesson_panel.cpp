@@ -61,11 +61,6 @@ LessonPanel::LessonPanel(document::Document& document, QWidget* parent)
     m_text->setWordWrap(true);
     m_text->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    QFont large = font();
-    large.setPointSizeF(1.5 * large.pointSizeF());
-    m_text->setFont(large);
-    large.setBold(true);
-    m_title->setFont(large);
     auto* area = new QScrollArea(this);
     area->setWidget(m_text);
     area->setWidgetResizable(true);
@@ -106,6 +101,22 @@ LessonPanel::LessonPanel(document::Document& document, QWidget* parent)
     });
     listLessons();
     showText();
+    scale();
+}
+
+/// Letters that are read from the back of the room.
+void LessonPanel::scale() {
+    constexpr int kLinesOfWindow = 40;
+    QFont large = font();
+    large.setPixelSize(std::max(window()->height() / kLinesOfWindow, 3 * fontMetrics().ascent() / 2));
+    m_text->setFont(large);
+    large.setBold(true);
+    m_title->setFont(large);
+}
+
+void LessonPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    scale();
 }
 
 void LessonPanel::listLessons() {

@@ -379,7 +379,8 @@ void AbovePainter::paintNumbers(Bed bed) {
     const auto paintNumber = [&](const SeenNeedle& needle, bool works) {
         const QString text = QString::number(needle.needle.index);
         const QRectF place = box(needle, text);
-        if (std::ranges::any_of(taken, [&](const QRectF& t) { return t.intersects(place); })) {
+        const bool cut = place.left() < m_layout.area.left() || place.right() > m_layout.area.right();
+        if ((cut && !works) || std::ranges::any_of(taken, [&](const QRectF& t) { return t.intersects(place); })) {
             return;
         }
         if (works) {

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kTickMs = 16;
 constexpr double kStepMs = 900;  ///< a step by hand takes at least so long
-constexpr double kReadable = 16; ///< pixels a pitch that following keeps to
+constexpr double kReadable = 12; ///< pixels a pitch that following keeps to
 constexpr double kSmallest = 2;  ///< pixels a pitch
 constexpr double kLargest = 90;
 constexpr double kFitted = 46;
