@@ -2,13 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
-    <name>MainWindow</name>
-    <message>
-        <source>An animation has %1 steps at most, and %2 are chosen: mark a shorter range, or record numbered pictures.</source>
-        <translation>Eine Animation hat höchstens %1 Schritte, gewählt sind %2: markiere einen kürzeren Teil oder zeichne nummerierte Bilder auf.</translation>
-    </message>
-</context>
-<context>
     <name>beds</name>
     <message>
         <source>front bed</source>
@@ -3231,6 +3224,10 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
     <message>
         <source>strokes</source>
         <translation>Striche</translation>
+    </message>
+    <message>
+        <source>An animation has %1 steps at most, and %2 are chosen: mark a shorter range, or record numbered pictures.</source>
+        <translation>Eine Animation hat höchstens %1 Schritte, gewählt sind %2: markiere einen kürzeren Teil oder zeichne nummerierte Bilder auf.</translation>
     </message>
 </context>
 <context>

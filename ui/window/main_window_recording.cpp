@@ -8,6 +8,7 @@
 #include "ui/window/banner.h"
 #include "ui/window/main_window.h"
 
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -32,8 +33,9 @@ constexpr std::size_t kMostFrames = 2000; ///< of an animation, which is held in
 /// Why so many steps are not recorded there; empty otherwise.
 QString tooLongText(const QString& path, std::size_t steps) {
     return path.endsWith(kAnimation) && steps > kMostFrames
-               ? MainWindow::tr("An animation has %1 steps at most, and %2 are chosen: mark a "
-                                "shorter range, or record numbered pictures.")
+               ? QCoreApplication::translate("knittsim::ui::MainWindow",
+                                             "An animation has %1 steps at most, and %2 are chosen: mark a "
+                                             "shorter range, or record numbered pictures.")
                      .arg(kMostFrames)
                      .arg(steps)
                : QString();

@@ -53,16 +53,16 @@ TEST(Skimming, NothingGetsSlowerAndNothingOutsideMatters) {
     EXPECT_EQ(skimmingHaste(knitted, 20, kSlow), 1);
 }
 
-/// A class sees all of it, with each new thing at two seconds an operation.
-TEST(Skimming, TheTransferDemoTakesNoLessonAtAll) {
+/// With each new thing at two seconds an operation.
+TEST(Skimming, TheTransferDemoTakesAQuarterOfItsTime) {
     const machine::Program demo = pattern::makeSample("transfer-demo");
     double seconds = 0;
     for (int i = 0; i < static_cast<int>(demo.operations.size()); ++i) {
         seconds += 1 / (kSlow * skimmingHaste(demo, i, kSlow));
     }
-    RecordProperty("seconds", static_cast<int>(seconds));
-    EXPECT_LT(seconds, 10 * 60);
-    EXPECT_GT(seconds, 60);
+    const double plain = static_cast<double>(demo.operations.size()) / kSlow;
+    EXPECT_LT(seconds, plain / 4);
+    EXPECT_GT(seconds, plain / 20);
 }
 
 } // namespace

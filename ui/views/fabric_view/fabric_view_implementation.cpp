@@ -142,7 +142,8 @@ geometry::Bounds FabricView::Implementation::needleBox() const {
     box.low.x() -= wider;
     box.high.x() += wider;
     const float shape = static_cast<float>(view.height()) / static_cast<float>(std::max(1, view.width()));
-    box.low.y() = std::min(box.low.y(), box.high.y() - kTall * box.size().x() * shape);
+    const float room = box.high.y() - kTall * box.size().x() * shape;
+    box.low.y() = std::min(box.low.y(), std::max(room, content.scene->bounds.low.y()));
     return box;
 }
 
