@@ -49,7 +49,7 @@ QString arrangementKey(Layout layout) {
 constexpr double kTeachingSpeed = 0.5; ///< operations a second, so that their phases are seen
 constexpr int kLeftWidth = 320;
 constexpr int kChartWidth = 470; ///< the symbols of 40 wales are seen
-constexpr int kRightWidth = 270;
+constexpr int kRightWidth = 290;
 /// In a lower window yarns and simulation share one place.
 constexpr int kLeastHeightForBoth = 760;
 

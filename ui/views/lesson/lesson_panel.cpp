@@ -1,5 +1,7 @@
 #include "ui/views/lesson/lesson_panel.h"
 
+#include "core/base/file.h"
+#include "core/base/json_places.h"
 #include "core/base/resources.h"
 #include "core/pattern/samples.h"
 #include "ui/views/style/icons.h"
@@ -14,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace knittsim::ui {
@@ -34,6 +37,23 @@ QToolButton* makeButton(QWidget* parent, const char* name, const char* iconName,
     button->setToolTip(help);
     button->setAccessibleName(text);
     return button;
+}
+
+/// What is wrong with the name of a sample, with its line.
+Diagnostics unknownSample(const lesson::Lesson& lesson, const std::string& path) {
+    std::string known;
+    for (const pattern::Sample& sample : pattern::samples()) {
+        known += (known.empty() ? "one of " : ", ") + std::string(sample.id);
+        if (lesson.sample.empty() || lesson.sample == sample.id) {
+            return {};
+        }
+    }
+    Diagnostics problems{
+        {"KS0004", Severity::Error, Place{.file = path}, {"sample", '"' + lesson.sample + '"', known}}};
+    if (const auto text = readFile(path)) {
+        tellLines(text.value(), problems);
+    }
+    return problems;
 }
 
 } // namespace
@@ -150,6 +170,9 @@ Diagnostics LessonPanel::openFile(const QString& path) {
     auto lesson = lesson::readLesson(path.toStdString());
     if (!lesson) {
         return lesson.diagnostics();
+    }
+    if (Diagnostics problems = unknownSample(lesson.value(), path.toStdString()); !problems.empty()) {
+        return problems;
     }
     std::erase_if(m_lessons, [&](const lesson::Lesson& old) { return old.id == lesson->id; });
     m_lessons.push_back(std::move(lesson).value());
