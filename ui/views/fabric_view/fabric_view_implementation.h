@@ -28,7 +28,7 @@ struct FabricView::Implementation {
     std::vector<int> pins;                                ///< bonding points of `fabric`
     std::shared_ptr<const render::SceneFrame> wholeScene; ///< of which content.scene may be a part
     Annotations annotations;
-    bool measured = false; ///< size and lattice of the annotations are those of `places`
+    bool measured = false;               ///< size and lattice of the annotations are those of `places`
     std::array<QPointF, 2> photoPoints;  ///< pixels, while a photograph is aligned
     std::array<QPointF, 2> fabricPoints; ///< mm
     std::vector<LoopProblem> problems;   ///< of `fabric`

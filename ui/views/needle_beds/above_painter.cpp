@@ -380,7 +380,8 @@ void AbovePainter::paintNumbers(Bed bed) {
         const QString text = QString::number(needle.needle.index);
         const QRectF place = box(needle, text);
         const bool cut = place.left() < m_layout.area.left() || place.right() > m_layout.area.right();
-        if ((cut && !works) || std::ranges::any_of(taken, [&](const QRectF& t) { return t.intersects(place); })) {
+        if ((cut && !works) ||
+            std::ranges::any_of(taken, [&](const QRectF& t) { return t.intersects(place); })) {
             return;
         }
         if (works) {
