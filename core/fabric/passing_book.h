@@ -18,6 +18,8 @@ namespace knittsim::fabric {
 ///    the other strand, and then the second move applies. On a strand that runs through, nothing may lie
 ///    between its passings of the two but what can be put aside or runs through, too.
 /// Both moves change the diagram of crossings and not the fabric, whatever the machine did in between.
+/// Strands that stood at one place have no order until they pass each other; from then on it is known how
+/// they stood.
 ///
 /// What is not recognised: a strand that could slide past a place where a loop is drawn through another one
 /// (whether it can depends on where all the yarns there go), gaps with more than kReach strands in them, and
@@ -70,6 +72,8 @@ private:
     using List = std::vector<std::int32_t>;
 
     List& list(Strand strand);
+    void settle(const Pair& pair);
+    void putInOrder(Strand strand, std::int32_t first, std::int32_t second);
     bool tryUndo(const Pair& pair);
     std::int32_t findLast(Strand a, Strand b) const;
     bool collectGap(Strand strand, std::int32_t number, List& gap) const;
@@ -87,7 +91,8 @@ private:
     std::vector<List> m_onLoop;
     std::vector<List> m_onFloat;
     std::vector<Pair> m_pending;
-    List m_gapOver; ///< passings on either strand in the gap that is to be closed
+    std::vector<std::size_t> m_byAge; ///< pairs that are to be undone
+    List m_gapOver;                   ///< passings on either strand in the gap that is to be closed
     List m_gapUnder;
     /// Passings on a strand about two of them: aside before these, between them, aside behind them.
     struct Gathered {
