@@ -24,8 +24,9 @@ namespace knittsim::fabric {
 /// What is not recognised: a strand that could slide past a place where a loop is drawn through another one
 /// (whether it can depends on where all the yarns there go), gaps with more than kReach strands in them, and
 /// chains of third moves that only together make room for a second one. Then the crossings stay: they are
-/// right, but there are more of them than need be. Telling in general whether two diagrams show the same
-/// fabric is a problem of knot theory that no local rule decides.
+/// right, but there are more of them than need be, and which of them stay may depend on what else the machine
+/// did (of random programs with stacks and racks one in some thousands). Telling in general whether two
+/// diagrams show the same fabric is a problem of knot theory that no local rule decides.
 class PassingBook {
 public:
     static constexpr std::size_t kReach = 32;
