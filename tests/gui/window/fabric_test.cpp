@@ -176,6 +176,7 @@ private slots:
         press(Qt::Key_L, Qt::ControlModifier);
         QTRY_COMPARE(document().removedLoops(), std::size_t{120});
         auto* fabric = child<FabricView>("fabricView");
+        QTRY_VERIFY(fabric->isUpToDate());
         QSignalSpy clicked(fabric, &FabricView::pointClicked);
         const QPoint middle = fabric->rect().center();
         QTest::mouseClick(fabric, Qt::LeftButton, {}, middle);

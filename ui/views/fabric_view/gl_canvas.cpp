@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QEvent>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
@@ -84,6 +85,19 @@ public:
     QImage picture() override { return width() > 0 && height() > 0 ? grabFramebuffer() : QImage(); }
 
 protected:
+    bool event(QEvent* event) override {
+        if (event->type() != QEvent::WindowChangeInternal) {
+            return QOpenGLWidget::event(event);
+        }
+        // In another window Qt makes everything anew, of a format that has lost its samples; a hidden widget
+        // waits, so that the format can be asked for once more.
+        hide();
+        const bool known = QOpenGLWidget::event(event);
+        setFormat(wantedFormat());
+        show();
+        return known;
+    }
+
     void initializeGL() override {
         connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { release(); });
         auto created = render::FabricRenderer::create();

@@ -122,10 +122,10 @@ void StepPlayer::build() {
     m_loopButton = addMenuButton("loopButton", "loop", tr("Play a part again and again"), m_loopMenu);
     QToolButton* bookmarks = addMenuButton("bookmarkButton", "bookmark", tr("Bookmarks"), m_bookmarkMenu);
     m_stopButton = addMenuButton("stopButton", "stop-at", tr("Where playing stops"), m_stopMenu);
-    buttons->addSpacing(8);
+    buttons->addSpacing(4);
     buttons->addWidget(m_courseSlider, 3);
     buttons->addWidget(m_slider, 2);
-    buttons->addSpacing(8);
+    buttons->addSpacing(4);
     for (QToolButton* button : {m_loopButton, bookmarks, m_stopButton}) {
         buttons->addWidget(button);
     }
@@ -134,7 +134,7 @@ void StepPlayer::build() {
     texts->addWidget(m_words, 1);
     texts->addWidget(m_count);
     auto* rows = new QVBoxLayout(this);
-    rows->setContentsMargins(10, 6, 10, 6);
+    rows->setContentsMargins(6, 6, 6, 6);
     rows->setSpacing(3);
     rows->addLayout(buttons);
     rows->addLayout(texts);
