@@ -104,7 +104,7 @@ TEST(Invariants, TurnedTransfersMakeTheFabricSeenFromTheBack) {
 }
 
 TEST(Invariants, AMirroredProgramMakesTheMirroredFabric) {
-    forRandomPrograms(4 * kPrograms, {.operations = 150}, [](const Program& program) {
+    forRandomPrograms(20 * kPrograms, {.operations = 150}, [](const Program& program) {
         return difference(withSortedCrossings(mirrored(form(program))), form(test::mirrored(program)));
     });
 }
