@@ -1,7 +1,6 @@
 #include "core/fabric/passing_book.h"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 #include <optional>
 
@@ -44,17 +43,25 @@ PassingBook::List& PassingBook::list(Strand strand) {
 }
 
 void PassingBook::pass(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment) {
-    for (const Pair& pair : undo(pairs)) {
-        const auto number = static_cast<std::int32_t>(m_passings.size());
-        m_passings.push_back({.over = pair.over,
-                              .under = pair.under,
+    undoEldestFirst(pairs);
+    m_inOrder = m_left;
+    std::ranges::sort(m_inOrder);
+    const std::size_t first = m_passings.size();
+    for (const std::size_t i : m_inOrder) {
+        m_passings.push_back({.over = pairs[i].over,
+                              .under = pairs[i].under,
                               .operation = operation,
-                              .sign = static_cast<std::int8_t>(pair.sign),
-                              .place = static_cast<float>(pair.place),
+                              .sign = static_cast<std::int8_t>(pairs[i].sign),
+                              .place = static_cast<float>(pairs[i].place),
                               .moment = moment});
-        settle(pair);
-        list(pair.over).push_back(number);
-        list(pair.under).push_back(number);
+    }
+    // On the strands by age, too: the same from either side.
+    for (const std::size_t i : m_left) {
+        const auto among = std::ranges::lower_bound(m_inOrder, i) - m_inOrder.begin();
+        const auto number = static_cast<std::int32_t>(first) + static_cast<std::int32_t>(among);
+        settle(pairs[i]);
+        list(pairs[i].over).push_back(number);
+        list(pairs[i].under).push_back(number);
     }
 }
 
@@ -102,23 +109,18 @@ void PassingBook::putInOrder(Strand strand, std::int32_t first, std::int32_t sec
 
 /// One pair may lie in the way of another, so it goes on until nothing changes. The elder ones first: an
 /// order that does not depend on the side from which one looks.
-std::span<const PassingBook::Pair> PassingBook::undo(std::span<const Pair> pairs) {
-    const auto ageOf = [&](std::size_t i) { return std::minmax(pairs[i].over, pairs[i].under); };
-    m_byAge.resize(pairs.size());
-    std::iota(m_byAge.begin(), m_byAge.end(), 0U);
-    std::ranges::sort(m_byAge, {}, ageOf);
-    std::size_t before = m_byAge.size() + 1;
-    while (m_byAge.size() < before) {
-        before = m_byAge.size();
-        std::erase_if(m_byAge, [&](std::size_t i) { return tryUndo(pairs[i]); });
+void PassingBook::undoEldestFirst(std::span<const Pair> pairs) {
+    m_left.resize(pairs.size());
+    std::iota(m_left.begin(), m_left.end(), 0U);
+    std::ranges::sort(m_left, {}, [&](std::size_t i) { return std::minmax(pairs[i].over, pairs[i].under); });
+    std::size_t before = m_left.size() + 1;
+    while (m_left.size() < before) {
+        before = m_left.size();
+        std::erase_if(m_left, [&](std::size_t i) { return undo(pairs[i]); });
     }
-    std::ranges::sort(m_byAge);
-    m_pending.clear();
-    std::ranges::transform(m_byAge, std::back_inserter(m_pending), [&](std::size_t i) { return pairs[i]; });
-    return m_pending;
 }
 
-bool PassingBook::tryUndo(const Pair& pair) {
+bool PassingBook::undo(const Pair& pair) {
     const std::int32_t number = findLast(pair.over, pair.under);
     if (number < 0) {
         return false;

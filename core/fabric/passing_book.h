@@ -49,8 +49,8 @@ public:
     /// others make new passings. `moment` as in Passing.
     void pass(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment);
 
-    /// Undoes earlier passings only. Returns the pairs that found none; valid until the next call.
-    std::span<const Pair> undo(std::span<const Pair> pairs);
+    /// Undoes an earlier passing only. False when there is none that this undoes.
+    bool undo(const Pair& pair);
 
     /// The two have passed each other lately, and that is not undone.
     bool havePassed(Strand a, Strand b) const { return findLast(a, b) >= 0; }
@@ -75,7 +75,7 @@ private:
     List& list(Strand strand);
     void settle(const Pair& pair);
     void putInOrder(Strand strand, std::int32_t first, std::int32_t second);
-    bool tryUndo(const Pair& pair);
+    void undoEldestFirst(std::span<const Pair> pairs);
     std::int32_t findLast(Strand a, Strand b) const;
     bool collectGap(Strand strand, std::int32_t number, List& gap) const;
     std::optional<Strand> findSlider(const Passing& passing) const;
@@ -91,9 +91,9 @@ private:
     std::vector<Passing> m_passings;
     std::vector<List> m_onLoop;
     std::vector<List> m_onFloat;
-    std::vector<Pair> m_pending;
-    std::vector<std::size_t> m_byAge; ///< pairs that are to be undone
-    List m_gapOver;                   ///< passings on either strand in the gap that is to be closed
+    std::vector<std::size_t> m_left;    ///< pairs that were not undone, the eldest first
+    std::vector<std::size_t> m_inOrder; ///< the same as they were given
+    List m_gapOver;                     ///< passings on either strand in the gap that is to be closed
     List m_gapUnder;
     /// Passings on a strand about two of them: aside before these, between them, aside behind them.
     struct Gathered {

@@ -170,7 +170,7 @@ void StrandTracker::comeToFace(std::int32_t rear, double place, int direction) {
     // Some may have passed before and thereby have not. All of a needle come to stand on the side of the
     // loops nearest to the beds.
     const std::span<const PassingBook::Pair> all = m_pairs;
-    const bool hadPassed = m_book.undo(all.first(1)).empty();
+    const bool hadPassed = m_book.undo(all.front());
     if (hadPassed) {
         m_book.pass(all.subspan(1), m_rackOperation, ++m_moment);
     }
