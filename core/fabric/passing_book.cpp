@@ -134,12 +134,12 @@ bool PassingBook::undo(const Pair& pair) {
     if ((!slider && !m_gapOver.empty()) || !isGapClear(last)) {
         return false;
     }
+    if (slider) {
+        slide(last, *slider);
+    }
     for (const Strand strand : {last.over, last.under}) {
         List& passings = list(strand);
         passings.erase(passings.end() - 1 - static_cast<std::ptrdiff_t>(*countAfter(passings, number)));
-    }
-    if (slider) {
-        slide(last, *slider);
     }
     m_passings[static_cast<std::size_t>(number)].undone = true;
     return true;
@@ -272,7 +272,9 @@ bool PassingBook::areUnordered(Strand strand, std::int32_t a, std::int32_t b) co
 
 /// Puts `moved` right behind `fixed` if it came before, right before it if it came behind.
 void PassingBook::swapOrder(Strand strand, Strand over, std::int32_t moved, std::int32_t fixed) {
-    gather(strand, over, moved, fixed);
+    if (!gather(strand, over, moved, fixed)) {
+        return;
+    }
     List& passings = list(strand);
     const auto begin = passings.begin() + static_cast<std::ptrdiff_t>(m_gathered.begin);
     const bool movedFirst = *begin == moved;
