@@ -67,27 +67,74 @@ void AtomicFile::flush() {
     m_buffer.clear();
 }
 
-Result<Written> AtomicFile::commit() {
+void AtomicFile::finish() {
     flush();
-    if (m_descriptor >= 0) {
-        check(!good() || ::fsync(m_descriptor) == 0);
-        check(::close(m_descriptor) == 0);
-        m_descriptor = -1;
-        if (good()) {
-            std::error_code code;
-            std::filesystem::permissions(m_temporary, permissionsFor(m_path), code);
-            std::filesystem::rename(m_temporary, m_path, code);
-            m_error = code.value();
-        }
-        if (!good()) {
-            ::unlink(m_temporary.c_str());
-        }
+    if (m_descriptor < 0) {
+        return;
     }
+    check(!good() || ::fsync(m_descriptor) == 0);
+    check(::close(m_descriptor) == 0);
+    m_descriptor = -1;
+    if (good()) {
+        std::error_code code;
+        std::filesystem::permissions(m_temporary, permissionsFor(m_path), code);
+    }
+}
+
+void AtomicFile::putThere() {
+    if (good()) {
+        std::error_code code;
+        std::filesystem::rename(m_temporary, m_path, code);
+        m_error = code.value();
+    }
+    if (!good()) {
+        ::unlink(m_temporary.c_str());
+    }
+}
+
+Result<Written> AtomicFile::result() const {
     if (!good()) {
         return Diagnostic{
             "KS0002", Severity::Error, Place{.file = m_path.string()}, {std::strerror(m_error)}};
     }
     return Written{};
+}
+
+Result<Written> AtomicFile::commit() {
+    finish();
+    putThere();
+    return result();
+}
+
+Result<Written> AtomicFile::commitBoth(AtomicFile& first, AtomicFile& second) {
+    first.finish();
+    second.finish();
+    if (!first.good() || !second.good()) {
+        ::unlink(first.m_temporary.c_str());
+        ::unlink(second.m_temporary.c_str());
+        return first.good() ? second.result() : first.result();
+    }
+    // Another name of what the first one replaces, for the case that the second one finds no place.
+    const std::filesystem::path before = first.m_temporary + ".before";
+    std::error_code code;
+    if (std::filesystem::is_regular_file(first.m_path, code)) {
+        std::filesystem::copy_file(first.m_path, before, code);
+    }
+    first.putThere();
+    if (first.good()) {
+        second.putThere();
+    } else {
+        ::unlink(second.m_temporary.c_str());
+    }
+    if (first.good() && !second.good()) {
+        if (std::filesystem::exists(before, code)) {
+            std::filesystem::rename(before, first.m_path, code);
+        } else {
+            ::unlink(first.m_path.c_str());
+        }
+    }
+    std::filesystem::remove(before, code);
+    return first.good() ? second.result() : first.result();
 }
 
 } // namespace knittsim

@@ -24,8 +24,15 @@ public:
     /// Puts the file in its place; once, at the end. Errors: KS0002.
     Result<Written> commit();
 
+    /// Two files that belong together: both get into their places, or what was there before stays. Errors:
+    /// KS0002, of the one that fails.
+    static Result<Written> commitBoth(AtomicFile& first, AtomicFile& second);
+
 private:
     void flush();
+    void finish();   ///< all bytes are on the disk, under the temporary name
+    void putThere(); ///< under the name that is wanted
+    Result<Written> result() const;
     void check(bool fine);
 
     std::filesystem::path m_path;

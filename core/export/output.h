@@ -47,6 +47,11 @@ public:
 
     Result<Written> commit() { return m_file.commit(); }
 
+    /// Both or none.
+    static Result<Written> commitBoth(Output& first, Output& second) {
+        return AtomicFile::commitBoth(first.m_file, second.m_file);
+    }
+
 private:
     AtomicFile m_file;
     const Progress& m_progress;

@@ -1,6 +1,7 @@
 #include "core/export/stroke_order.h"
 #include "core/export/writers.h"
 #include "core/geometry/bounds.h"
+#include "core/geometry/stroke_style.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +12,7 @@ namespace {
 
 constexpr std::size_t kBetweenReports = 256;
 
-// The three strokes, in diameters and shares of the colour; ui/render draws the same.
-constexpr double kBodyWidth = 0.66;
-constexpr double kDotWidth = 0.16;
-constexpr double kDotEvery = 0.7;
-constexpr double kDotLength = 0.56 * kDotEvery;
-constexpr double kEdgeShade = 0.22;
-constexpr double kDotShare = 0.28;
+using Style = geometry::StrokeStyle;
 
 constexpr float kMostLength = 1; ///< of a piece that is painted at once, diameters
 
@@ -75,22 +70,23 @@ private:
         for (std::size_t c = 0; c < m_shape.materials.size(); ++c) {
             const Material& material = m_shape.materials[c];
             const auto [r, g, b] = material.colour;
-            const auto dot = [](double v) { return kDotShare * v + (1 - kDotShare) * 255; };
+            const auto dot = [](double v) { return Style::kDotShare * v + (1 - Style::kDotShare) * 255; };
             m_out.print(
                 ".e{0} {{ stroke: {1}; stroke-width: {2:.4f}; }}\n"
                 ".b{0} {{ stroke: {3}; stroke-width: {4:.4f}; }}\n"
                 ".d{0} {{ stroke: {5}; stroke-width: {6:.4f}; stroke-dasharray: {7:.4f} {8:.4f}; }}\n",
-                c, hex(kEdgeShade * r, kEdgeShade * g, kEdgeShade * b), material.diameterMm, hex(r, g, b),
-                kBodyWidth * material.diameterMm, hex(dot(r), dot(g), dot(b)),
-                kDotWidth * material.diameterMm, kDotLength * material.diameterMm,
-                (kDotEvery - kDotLength) * material.diameterMm);
+                c, hex(Style::kEdgeShade * r, Style::kEdgeShade * g, Style::kEdgeShade * b),
+                material.diameterMm, hex(r, g, b), Style::kBodyWidth * material.diameterMm,
+                hex(dot(r), dot(g), dot(b)), Style::kDotWidth * material.diameterMm,
+                Style::kDotLength * material.diameterMm,
+                (Style::kDotEvery - Style::kDotLength) * material.diameterMm);
         }
         m_out.write("</style>\n");
     }
 
     void paint(const Stroke& stroke) {
         const machine::CarrierIndex carrier = m_shape.curves.yarns[stroke.yarn].carrier;
-        const double every = kDotEvery * m_shape.materials[carrier].diameterMm;
+        const double every = Style::kDotEvery * m_shape.materials[carrier].diameterMm;
         m_out.print("<path class=\"e{}\" d=\"{}\"/>", carrier, pathOf(stroke, kEdgeOverlapMm));
         m_out.print("<path class=\"b{}\" d=\"{}\"/>", carrier, pathOf(stroke, kBodyOverlapMm));
         m_out.print("<path class=\"d{}\" stroke-dashoffset=\"{:.4f}\" d=\"{}\"/>\n", carrier,

@@ -28,14 +28,13 @@ Diagnostic failure(const char* id, const std::filesystem::path& path,
     return {.id = id, .place = {.file = path.string()}, .arguments = std::move(arguments)};
 }
 
-/// Both files or none: the second one is put in its place only when the first one is complete.
+/// Both files or none.
 Result<Written> writeObjFiles(Output& out, const std::filesystem::path& path, const Shape& shape,
                               const WriteOptions& options, const Progress& progress) {
     const std::filesystem::path materialsPath = std::filesystem::path(path).replace_extension(".mtl");
     Output materials(materialsPath, progress);
     writeObj(out, materials, materialsPath.filename().string(), shape, options);
-    auto written = materials.commit();
-    return written ? out.commit() : written;
+    return Output::commitBoth(materials, out);
 }
 
 Result<Written> write(Output& out, const std::filesystem::path& path, Format format, const Shape& shape,

@@ -10,7 +10,8 @@ void main() {
     vec3 across = cross(vTangent, node.toViewer);
     float length2 = dot(across, across);
     vAcross = length2 > 1e-6 ? across * inversesqrt(length2) : node.reference;
-    vDepth = node.height + kMeanHeight;
+    // As much light as on the half circle on the whole.
+    vOpen = openTo(node, 0.6 * vSide * vAcross + 0.785 * cross(vAcross, vTangent), node.height + kMeanHeight);
     // Inside a bend narrower than the yarn the band would fold over itself.
     float radius = min(uRadius, 0.92 / max(dot(vSide * vAcross, node.bend), 1e-6));
     vec4 place = vec4(node.place + radius * (vSide * vAcross + kTowardsRidge * cross(vAcross, vTangent)), 1.0);

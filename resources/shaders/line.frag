@@ -1,7 +1,4 @@
-uniform vec3 uColour;
-uniform vec3 uAccent;
-
 void main() {
     findSurface();
-    oColour = vec4(mix(colourHere(uColour), uAccent, vGlow), 1.0);
+    oColour = vec4(vColour, 1.0);
 }

@@ -1,17 +1,16 @@
-// A yarn too far away to show its plies; its fibres shine as they do near by.
+// A yarn too far away to show its plies: what they do on the whole is less round and less light.
 
-uniform float uHelix;        // tangent of the fibres' angle to the yarn
+uniform vec3 uBetween;       // unit, between light and viewer
 
 struct Fibres {
     vec3 normal;
     float relief;
     float tint;
+    float strand;
     float shine;
 };
 
-Fibres findFibres(Surface surface, vec3 between) {
-    vec3 fibre = vTangent + uHelix * cross(vTangent, surface.normal);
-    float along = dot(fibre, between);
-    float shine = max(0.0, 1.0 - along * along / dot(fibre, fibre));
-    return Fibres(surface.normal, 1.0, 1.0, shine);
+Fibres findFibres(Surface surface) {
+    float askew = dot(vTangent, uBetween);
+    return Fibres(normalize(surface.normal + 0.25 * uToViewer), 0.9, 1.0, 1.0, max(0.0, 1.0 - askew * askew));
 }

@@ -3,6 +3,7 @@
 
 uniform samplerBuffer uNodes;      // x y z, arc length (mm)
 uniform usamplerBuffer uSurface;   // direction across and height, fabric normal and value; packed
+uniform samplerBuffer uHidden;     // where other yarn hides the sky, see openTo()
 uniform usamplerBuffer uOwner;     // bonding point
 uniform usamplerBuffer uState;     // by bonding point: 0 plain, 1 selected, 2 hovered
 uniform mat4 uView;
@@ -12,13 +13,16 @@ uniform vec4 uViewer;              // eye (w = 1) or direction to a viewer far a
 uniform float uRadius;             // mm
 uniform bool uAnyState;
 uniform int uStride;               // only every so many nodes are drawn
+uniform vec3 uColour;              // of the yarn; linear where it is lit, else as shown, as the two below
+uniform vec3 uAccent;              // of selected loops
+uniform bool uByValue;             // the colour tells a value
+uniform vec3 uRamp[7];             // from low to high
 
 out vec3 vTangent;
 out float vArc;                    // mm
-out float vDepth;                  // diameters over the fabric's middle, towards the viewer
+out float vOpen;                   // 0 .. 1: how much light gets there
 out float vSlope;                  // sine of the angle between yarn and line of sight
-out float vGlow;                   // 1 selected, 0.5 hovered, 0
-out float vValue;                  // 0 to 1: what the colour tells
+out vec3 vColour;
 
 const float kMeanHeight = 0.393;   // of the side of a round yarn that is seen over its middle, in diameters
 
@@ -26,9 +30,12 @@ struct Node {
     vec3 place;
     vec3 reference;                // a direction across the yarn that turns with it
     vec3 toViewer;
+    float facing;                  // 1: the viewer sees the fabric's front, -1: its back
     vec3 normal;                   // of the fabric, on the viewer's side
     float height;                  // diameters over the fabric's middle, towards the viewer
     vec3 bend;                     // curvature, 1/mm, towards the inside of the bend
+    vec4 hidden;                   // to where other yarn hides the sky, and how much of it in all
+    float glow;                    // 1 selected, 0.5 hovered, 0
     bool isEnd;
 };
 
@@ -39,6 +46,13 @@ vec3 unpackDirection(uint bits) {
         n.xy = (1.0 - abs(n.yx)) * vec2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);
     }
     return normalize(n);
+}
+
+// How much light gets to the surface that faces along `outwards`: less low in the fabric, and beside other yarn; what is
+// selected is seen there too.
+float openTo(Node node, vec3 outwards, float depth) {
+    float hidden = max(0.0, 0.25 * node.hidden.w + 0.5 * dot(node.hidden.xyz, outwards));
+    return mix(smoothstep(-1.3, 0.9, depth) / (1.0 + 1.4 * hidden), 1.0, 0.6 * node.glow);
 }
 
 // Fills the outputs that do not depend on the vertex around the node.
@@ -67,14 +81,22 @@ Node readNode(int index) {
     vec3 normal = unpackDirection(surface.g);
     float facing = clamp(4.0 * dot(normal, toViewer), -1.0, 1.0);
     float height = facing * (float(surface.r >> 22) / 1023.0 * 4.0 - 2.0);
-    vValue = float(surface.g >> 22) / 1023.0;
     vSlope = max(0.05, length(cross(vTangent, toViewer)));
 
-    vGlow = 0.0;
+    vColour = uColour;
+    if (uByValue) {
+        float place = float(surface.g >> 22) / 1023.0 * 6.0;
+        int i = min(int(place), 5);
+        vColour = mix(uRamp[i], uRamp[i + 1], place - float(i));
+    }
+    float glow = 0.0;
     if (uAnyState) {
         uint state = texelFetch(uState, int(texelFetch(uOwner, index).r)).r;
-        vGlow = state == 1u ? 1.0 : state == 2u ? 0.5 : 0.0;
+        glow = state == 1u ? 1.0 : state == 2u ? 0.5 : 0.0;
     }
-    return Node(here.xyz, unpackDirection(surface.r), toViewer, facing * normal, height, bend,
-                isFirst || isLast);
+    vColour = mix(vColour, uAccent, 0.85 * glow);
+    vec4 hidden = texelFetch(uHidden, index);
+    hidden = vec4((hidden.xyz * 2.0 - 254.0 / 255.0) * 4.0, hidden.w * 8.0);
+    return Node(here.xyz, unpackDirection(surface.r), toViewer, facing, facing * normal, height, bend, hidden,
+                glow, isFirst || isLast);
 }

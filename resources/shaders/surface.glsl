@@ -4,13 +4,9 @@ uniform vec3 uToViewer;      // unit, in the middle of the picture
 
 in vec3 vTangent;
 in float vArc;
-in float vDepth;
+in float vOpen;
 in float vSlope;
-in float vGlow;
-in float vValue;
-
-uniform bool uByValue;       // the colour tells a value
-uniform vec3 uRamp[7];       // from low to high
+in vec3 vColour;
 
 out vec4 oColour;
 
@@ -19,10 +15,3 @@ struct Surface {
     float round;    // 0 at the yarn's outline, 1 in its middle
     float angle;    // around the yarn
 };
-
-vec3 colourHere(vec3 own) {
-    if (!uByValue) return own;
-    float place = 6.0 * clamp(vValue, 0.0, 1.0);
-    int i = min(int(place), 5);
-    return mix(uRamp[i], uRamp[i + 1], place - float(i));
-}

@@ -1,20 +1,22 @@
-uniform int uSides;
+// A round tube, or the ridge that stands for it.
 
-in vec3 vOutwards;
 in float vAngle;
-
-// Two flat faces stand for the half of a round tube that is seen: across them the normal turns as on the tube.
-vec3 normalOnRidge() {
-    vec3 ridge = normalize(uToViewer - dot(uToViewer, vTangent) * vTangent);
-    vec3 aside = vOutwards - dot(vOutwards, ridge) * ridge;
-    return aside + sqrt(max(0.0, 1.0 - dot(aside, aside))) * ridge;
-}
+#ifdef RIDGE
+in float vSide;                    // -1 .. 1 from outline to outline
 
 Surface findSurface() {
-#ifdef ROUND
-    vec3 normal = vOutwards * inversesqrt(dot(vOutwards, vOutwards));
+    // Across the ridge the normal turns as on the tube.
+    vec3 ridge = normalize(uToViewer - dot(uToViewer, vTangent) * vTangent);
+    float square = vSide * vSide;
+    float round = sqrt(max(0.0, 1.0 - square));
+    float angle = vAngle + vSide * (1.0 + square * (0.10 + 0.47 * square * square));   // nearly the arc sine
+    return Surface(vSide * cross(vTangent, ridge) + round * ridge, round, angle);
+}
 #else
-    vec3 normal = uSides == 3 ? normalOnRidge() : vOutwards * inversesqrt(dot(vOutwards, vOutwards));
-#endif
+in vec3 vOutwards;
+
+Surface findSurface() {
+    vec3 normal = vOutwards * inversesqrt(dot(vOutwards, vOutwards));
     return Surface(normal, clamp(dot(normal, uToViewer) / vSlope, 0.0, 1.0), vAngle);
 }
+#endif

@@ -1,52 +1,44 @@
 // Lit yarn.
 
-uniform vec3 uColour;        // linear
-uniform vec3 uAccent;        // linear
 uniform vec3 uKey;           // unit, to the light
-uniform vec3 uBetween;       // unit, between light and viewer
-uniform vec3 uFill;
-uniform vec3 uSky;           // unit, upwards on the screen
+uniform vec3 uAmbient;       // to where the light from all around is brightest, as long as it differs
 uniform float uHair;
 uniform float uGloss;
+uniform bool uByValue;       // the colour tells a value
 
 // What of the light reaches a place that is open so far. What yarn around it throws back has its colour: shadows of
 // bright yarn are lighter and warm, not grey.
-vec3 reach(float open, vec3 own) { return open / (1.0 - 0.6 * (1.0 - open) * own); }
+vec3 reach(float open, vec3 own) { return open + 0.75 * open * (1.0 - open) * own; }
 
 void main() {
 #ifdef CUT
     if (!gl_FrontFacing) {
-        vec3 cut = mix(mix(colourHere(uColour), vec3(1.0), 0.3), uAccent, 0.8 * vGlow) * cutFace();
-        oColour = vec4(sqrt(clamp(cut, 0.0, 1.0)), 1.0);
+        oColour = vec4(sqrt(clamp(mix(vColour, vec3(1.0), 0.3) * cutFace(), 0.0, 1.0)), 1.0);
         return;
     }
 #endif
     Surface surface = findSurface();
-    Fibres fibres = findFibres(surface, uBetween);
+    Fibres fibres = findFibres(surface);
 
-    // Deep places and the creases between yarns get little light.
-    float open = smoothstep(-0.80, 1.00, vDepth);
-    float edge = 0.22 + 0.78 * smoothstep(0.0, 0.85, surface.round);
-    float key = max(0.0, dot(fibres.normal, uKey) * 0.82 + 0.18);
-    float fill = max(0.0, dot(fibres.normal, uFill) * 0.71 + 0.29);
-    float sky = 0.28 + 0.08 * dot(fibres.normal, uSky);
-    vec3 own = colourHere(uColour);
-    vec3 shade = reach(open * edge * fibres.relief, own);
-    vec3 light = vec3(0.977, 0.948, 0.900) * (key * (0.06 * edge + 0.94 * shade)) +
-                 vec3(0.672, 0.739, 0.840) * ((0.20 * fill + sky) * (0.14 + 0.86 * shade));
+    float open = vOpen * (0.55 + 0.45 * surface.round) * fibres.relief;
+    // Fibres scatter light beyond the edge of the shadow.
+    float key = max(0.0, dot(fibres.normal, uKey) * 0.62 + 0.38);
+    vec3 shade = reach(open, vColour);
+    vec3 light = vec3(1.123, 1.090, 1.035) * key * shade +
+                 vec3(0.672, 0.739, 0.840) * ((0.388 + dot(fibres.normal, uAmbient)) * (0.08 + 0.92 * shade));
 
+    // Light along the cone of the fibres: narrow on silk, wide and weak on wool.
     float shine = fibres.shine;
-    shine *= shine; shine *= shine; shine *= shine; shine *= shine;
+    shine *= shine; shine *= shine;
+    float narrow = shine * shine; narrow *= narrow;
     float rim = 1.0 - surface.round;
-    float glint = (0.05 + 0.50 * uGloss) * shine * key * open * surface.round * fibres.relief + uHair * 0.03 * rim * rim * open;
-    vec3 colour = own * (fibres.tint + uHair * 0.18 * rim * rim * open);
+    float glint = (0.03 * shine + 0.5 * uGloss * uGloss * narrow) * key * open * surface.round * fibres.strand;
+    vec3 colour = vColour * (fibres.tint * (0.45 + 0.55 * fibres.strand) + uHair * 0.25 * rim * rim);
     if (uByValue) {
         // White light and shallow shadows: the colour is to be read.
-        colour = own;
+        colour = vColour;
         light = vec3(0.45 + 0.55 * dot(light, vec3(0.333)));
         glint = 0.0;
     }
-    vec3 lit = colour * light + glint;
-    lit = mix(lit, uAccent * (0.30 + 0.80 * key) * fibres.relief, 0.80 * vGlow);
-    oColour = vec4(sqrt(clamp(lit, 0.0, 1.0)), 1.0);
+    oColour = vec4(sqrt(clamp(colour * light + glint, 0.0, 1.0)), 1.0);
 }

@@ -195,7 +195,7 @@ TEST_F(NearPictures, withoutFuzzThereIsLessYarnOnTheGround) {
     const int hairy = covered();
     m_request.hair = false;
     const int smooth = covered();
-    EXPECT_GT(hairy, smooth + smooth / 40);
+    EXPECT_GT(hairy, smooth + smooth / 80);
 }
 
 } // namespace

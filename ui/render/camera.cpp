@@ -34,19 +34,21 @@ void Camera::setViewport(int width, int height) {
     m_height = std::max(1, height);
 }
 
-void Camera::fit(const geometry::Bounds& box) {
+void Camera::fit(const geometry::Bounds& box, float above, float below) {
     if (box.empty()) {
         return;
     }
     const Vec3f half = 0.5F * box.size();
     const auto reach = [&](const Vec3f& axis) { return axis.cwiseAbs().dot(half); };
     const float aspect = static_cast<float>(m_width) / static_cast<float>(m_height);
-    float halfHeight = std::max(reach(up()), reach(right()) / aspect);
+    const auto pixels = static_cast<float>(m_height);
+    const float share = std::max(0.2F, 1 - (above + below) / pixels);
+    float halfHeight = std::max(reach(up()) / share, reach(right()) / aspect);
     if (!m_state.orthographic) {
         halfHeight += kTanHalfFieldOfView * reach(towardsViewer());
     }
-    m_state.target = box.centre();
     m_state.halfHeight = std::clamp(kFitMargin * halfHeight, kNearest, kFarthest);
+    m_state.target = box.centre() + (above - below) / pixels * m_state.halfHeight * up();
 }
 
 void Camera::look(ViewSide side) {

@@ -37,8 +37,9 @@ public:
     /// `scene` bounds the depth of the picture; give it whenever the fabric changes.
     void setScene(const geometry::Bounds& scene) { m_scene = scene; }
 
-    /// Moves back until the whole box is seen, with a margin; keeps direction and projection.
-    void fit(const geometry::Bounds& box);
+    /// Moves back until the whole box is seen, with a margin; keeps direction and projection. `above`,
+    /// `below`: pixels at the edges of the picture that are wanted for something else.
+    void fit(const geometry::Bounds& box, float above = 0, float below = 0);
 
     void look(ViewSide side);
     void setOrthographic(bool on) { m_state.orthographic = on; }

@@ -104,6 +104,7 @@ bool FabricRenderer::upload(std::shared_ptr<const SceneFrame> frame) {
     }
     m->nodes.upload(frame->nodes.data(), frame->nodes.size() * sizeof frame->nodes[0]);
     m->surface.upload(frame->surface.data(), frame->surface.size() * sizeof frame->surface[0]);
+    m->hidden.upload(frame->hidden.data(), frame->hidden.size() * sizeof frame->hidden[0]);
     glBindBuffer(GL_ARRAY_BUFFER, m->markerBuffer);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(frame->markers.size() * sizeof(Marker)),
                  frame->markers.data(), GL_STREAM_DRAW);

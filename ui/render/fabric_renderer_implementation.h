@@ -18,7 +18,7 @@ struct FabricRenderer::Implementation {
     std::string renderer, version;
     ShaderSet shaders;
     TubeIndices tubes;
-    BufferTexture nodes{GL_RGBA32F}, surface{GL_RG32UI}, owner{GL_R32UI}, state{GL_R8UI};
+    BufferTexture nodes{GL_RGBA32F}, surface{GL_RG32UI}, hidden{GL_RGBA8}, owner{GL_R32UI}, state{GL_R8UI};
     GLuint noise = 0;
     GLuint emptyArray = 0; ///< core profile draws nothing without an array object
     GLuint markerArray = 0;

@@ -1,3 +1,4 @@
+#include "core/geometry/stroke_style.h"
 #include "ui/render/fabric_renderer_implementation.h"
 
 #include <fmt/format.h>
@@ -16,6 +17,7 @@ constexpr int kSurfaceUnit = 1;
 constexpr int kOwnerUnit = 2;
 constexpr int kStateUnit = 3;
 constexpr int kNoiseUnit = 4;
+constexpr int kHiddenUnit = 5;
 
 /// Light adds up linearly; the shader takes the root at the end.
 Vec3f linear(const Vec3f& colour) {
@@ -32,6 +34,7 @@ void FabricRenderer::Implementation::drawYarns(const View& view) {
     uploadState();
     nodes.bind(kNodesUnit);
     surface.bind(kSurfaceUnit);
+    hidden.bind(kHiddenUnit);
     owner.bind(kOwnerUnit);
     state.bind(kStateUnit);
     glActiveTexture(GL_TEXTURE0 + kNoiseUnit);
@@ -43,14 +46,17 @@ void FabricRenderer::Implementation::drawYarns(const View& view) {
 }
 
 const ShaderProgram& FabricRenderer::Implementation::programFor(const Detail& detail, bool cut) const {
+    const bool ridge = detail.sides == kRidge;
     switch (frame->style) {
     case DrawStyle::Yarn:
         return cut                 ? *shaders.cutTube
                : detail.sides == 0 ? *shaders.yarnBand
-               : detail.plies > 0  ? *shaders.pliedTube
-                                   : *shaders.yarnTube;
+               : detail.plies > 0  ? *(ridge ? shaders.pliedRidge : shaders.pliedTube)
+                                   : *(ridge ? shaders.yarnRidge : shaders.yarnTube);
     case DrawStyle::Strokes:
-        return detail.sides == 0 ? *shaders.strokesBand : *shaders.strokesTube;
+        return *(detail.sides == 0 ? shaders.strokesBand
+                 : ridge           ? shaders.strokesRidge
+                                   : shaders.strokesTube);
     case DrawStyle::Mesh:
         break;
     }
@@ -86,7 +92,13 @@ void FabricRenderer::Implementation::drawCarrier(const View& view, const Frustum
         const Vec3f ink = view.dark ? Vec3f(1, 1, 1) : Vec3f(0, 0, 0);
         const float share = mesh ? 0.35F : 0.0F;
         program.set("uColour", Vec3f((1 - share) * shown(yarnLook.colour) + share * ink));
-        program.set("uDotMm", 1.4F * radius);
+        using Strokes = geometry::StrokeStyle;
+        const auto pair = [](double a, double b) {
+            return Eigen::Vector2f(static_cast<float>(a), static_cast<float>(b));
+        };
+        program.set("uWidths", pair(Strokes::kBodyWidth, Strokes::kDotWidth));
+        program.set("uDots", pair(Strokes::kDotEvery * 2 * radius, Strokes::kDotLength / Strokes::kDotEvery));
+        program.set("uShares", pair(Strokes::kEdgeShade, Strokes::kDotShare));
         program.set("uSoft", std::min(0.5F, perPixel / radius));
     }
     setRamp(program);
@@ -112,29 +124,38 @@ void FabricRenderer::Implementation::drawHair(const View& view, const Frustum& f
                                               machine::CarrierIndex carrier, float radius,
                                               float grown) const {
     constexpr double kHairy = 0.2;   ///< less is not seen
-    constexpr double kPerWidth = 14; ///< fibres on a piece of the hairiest yarn as long as it is wide
-    constexpr GLsizei kVertices = 4;
+    constexpr double kPerWidth = 28; ///< fibres on a piece of the hairiest yarn as long as it is wide
+    constexpr GLsizei kVertices = 6;
     const YarnLook& yarnLook = look(carrier);
-    const double wanted = yarnLook.hairiness * kPerWidth * frame->segmentMm / (2 * radius);
     if (yarnLook.hairiness < kHairy) {
         return;
     }
-    const int hairs = std::max(1, static_cast<int>(std::lround(wanted)));
+    const bool best = view.quality == Quality::Best;
+    const double hairs =
+        (best ? grown : 0.5F * grown) * yarnLook.hairiness * kPerWidth * frame->segmentMm / (2 * radius);
     const ShaderProgram& program = *shaders.hair;
     setCamera(program, view);
     setYarn(program, view, yarnLook, radius);
     setRamp(program);
     program.set("uRadius", radius);
     program.set("uGrown", grown);
-    program.set("uHairs", hairs);
+    program.set("uCover", best ? 0.65F : 0.9F); // fewer cover as much
     program.set("uSegmentMm", frame->segmentMm);
+    program.set("uPixelMm", millimetresPerPixel(view));
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
     glBindVertexArray(emptyArray);
     for (const Chunk& chunk : frame->chunks) {
         if (chunk.carrier == carrier && frustum.sees(chunk.centre, chunk.reach + 2 * radius)) {
             program.set("uFirst", chunk.firstNode);
-            glDrawArraysInstanced(GL_LINE_STRIP, 0, kVertices, hairs * (chunk.count - 1));
+            program.set("uPieceNodes", chunk.count - 1);
+            glDrawArraysInstanced(GL_LINE_STRIP, 0, kVertices,
+                                  static_cast<GLsizei>(std::lround(hairs * (chunk.count - 1))));
         }
     }
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
 }
 
 /// The pieces of a carrier's yarns that the camera may see, as vertex or index ranges.
@@ -179,6 +200,7 @@ void FabricRenderer::Implementation::setCamera(const ShaderProgram& program, con
     program.set("uToViewer", view.camera.towardsViewer());
     program.set("uNodes", kNodesUnit);
     program.set("uSurface", kSurfaceUnit);
+    program.set("uHidden", kHiddenUnit);
     program.set("uOwner", kOwnerUnit);
     program.set("uState", kStateUnit);
     program.set("uNoise", kNoiseUnit);
@@ -197,8 +219,7 @@ void FabricRenderer::Implementation::setYarn(const ShaderProgram& program, const
     const Vec3f key = onScreen(-0.50F, 0.62F, 0.60F);
     program.set("uKey", key);
     program.set("uBetween", (key + camera.towardsViewer()).normalized());
-    program.set("uFill", onScreen(0.70F, -0.15F, 0.50F));
-    program.set("uSky", onScreen(0, 1, 0));
+    program.set("uAmbient", Vec3f(0.13F * onScreen(0.70F, -0.15F, 0.50F) + 0.08F * camera.up()));
     program.set("uPlies", static_cast<float>(l.plies));
     program.set("uTwist", kTurn * turnsPerMm * static_cast<float>(l.plies));
     program.set("uHelix", kTurn * turnsPerMm * radius);

@@ -3,6 +3,7 @@
 #include "core/fabric/machine_shape.h"
 #include "core/geometry/yarn_frame.h"
 #include "ui/render/finer_curves.h"
+#include "ui/render/hidden_sky.h"
 #include "ui/render/scene_chunks.h"
 
 #include <Eigen/Geometry>
@@ -233,6 +234,7 @@ void FabricScene::fillCurves(SceneFrame& frame, const geometry::YarnCurves& curv
                                  packDirection(curves.normal[n])};
         }
     }
+    addHidden(frame);
     addChunks(frame);
 }
 
@@ -241,6 +243,7 @@ void FabricScene::fillMesh(SceneFrame& frame, std::span<const float> positions) 
                                                     packDirection(Vec3f::UnitZ())};
     frame.nodes.resize(m_topology->owner.size(), kNoNode);
     frame.surface.assign(m_topology->owner.size(), towardsFront);
+    frame.hidden.assign(m_topology->owner.size(), {127, 127, 127, 0});
     for (std::size_t y = 0; y < m_topology->yarns.size(); ++y) {
         const auto first = static_cast<std::size_t>(m_topology->yarns[y].first);
         for (std::size_t n = first; n < first + static_cast<std::size_t>(m_topology->yarns[y].count); ++n) {

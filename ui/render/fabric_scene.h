@@ -56,6 +56,7 @@ struct SceneFrame {
     /// By node: a direction across the yarn (2 x 11 bits) with the height over the fabric (10 bits), and the
     /// fabric's normal (2 x 11 bits) with the share of the value in `range` (10 bits).
     std::vector<std::array<std::uint32_t, 2>> surface;
+    std::vector<std::array<std::uint8_t, 4>> hidden; ///< by node: HiddenSky, the way first
     std::vector<Chunk> chunks;
     std::vector<Marker> markers; ///< Mesh only
     float segmentMm = 0;         ///< mean distance of neighbouring nodes

@@ -41,12 +41,13 @@ std::vector<float> blurredNoise(std::uint32_t seed, int halfWidth, int halfHeigh
 } // namespace
 
 std::vector<std::uint8_t> makeFibreNoise() {
-    const std::vector<float> streaks = blurredNoise(1, 9, 0);
+    const std::vector<float> fine = blurredNoise(1, 9, 0);
+    const std::vector<float> coarse = blurredNoise(3, 22, 2);
     const std::vector<float> spots = blurredNoise(2, 3, 3);
     std::vector<std::uint8_t> texels;
-    texels.reserve(streaks.size() * 2);
-    for (std::size_t i = 0; i < streaks.size(); ++i) {
-        texels.push_back(static_cast<std::uint8_t>(255 * streaks[i]));
+    texels.reserve(fine.size() * 2);
+    for (std::size_t i = 0; i < fine.size(); ++i) {
+        texels.push_back(static_cast<std::uint8_t>(255 * (0.6F * fine[i] + 0.4F * coarse[i])));
         texels.push_back(static_cast<std::uint8_t>(255 * spots[i]));
     }
     return texels;

@@ -1,13 +1,13 @@
 #include "ui/render/level_of_detail.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace knittsim::render {
 
 namespace {
 
 constexpr int kRound = 8;
-constexpr int kRoundFarAway = 6; ///< what has plies is round all around
 
 Detail atLevel(Detail detail, DetailLevel level) {
     switch (level) {
@@ -16,11 +16,11 @@ Detail atLevel(Detail detail, DetailLevel level) {
         detail.plies = 0;
         break;
     case DetailLevel::Tubes:
-        detail.sides = std::max(detail.sides, 3);
+        detail.sides = std::max(detail.sides, kRidge);
         detail.plies = 0;
         break;
     case DetailLevel::Yarn:
-        detail.sides = std::max(detail.sides, kRoundFarAway);
+        detail.sides = std::max(detail.sides, kRidge);
         detail.plies = 1;
         break;
     }
@@ -36,18 +36,18 @@ float millimetresPerPixel(const View& view) {
 Detail detailAt(float diameterPixels, float diametersPerSegment, Quality quality,
                 std::optional<DetailLevel> fixed) {
     const bool best = quality == Quality::Best;
-    const float pliesFrom = best ? 9.0F : 17.0F;
+    const float pliesFrom = best ? 6.0F : 12.0F;
+    const float roundFrom = best ? 14.0F : 16.0F;
     Detail detail;
-    detail.plies = std::clamp((diameterPixels - pliesFrom) / 8.0F, 0.0F, 1.0F);
-    detail.hair = detail.plies;
+    detail.plies = std::clamp((diameterPixels - pliesFrom) / 6.0F, 0.0F, 1.0F);
+    detail.hair = std::clamp((diameterPixels - 12) / 24, 0.0F, 1.0F);
     detail.sides = diameterPixels < (best ? 4.0F : 7.0F) ? 0
-                   : diameterPixels < pliesFrom          ? 3
+                   : diameterPixels < roundFrom          ? kRidge
                    : diameterPixels < 40.0F              ? kRound
                                                          : 14;
-    const float longest = best                         ? 0.25F
-                          : diameterPixels < 5         ? 0.75F
-                          : diameterPixels < pliesFrom ? 0.5F
-                                                       : 0.25F;
+    // Where yarn bends narrowly its pieces leave the curve by half a pixel at most.
+    const float longest = std::clamp(std::sqrt((best ? 1.0F : 2.0F) / std::max(diameterPixels, 1.0F)), 0.25F,
+                                     best ? 0.5F : 0.75F);
     while (detail.stride < kMostStride &&
            2.0F * static_cast<float>(detail.stride) * diametersPerSegment <= longest) {
         detail.stride *= 2;

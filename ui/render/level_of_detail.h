@@ -10,9 +10,11 @@
 
 namespace knittsim::render {
 
+constexpr int kRidge = 3; ///< Detail::sides: two faces stand for the half of a tube that is seen
+
 /// How finely a yarn is drawn.
 struct Detail {
-    int sides = 0;   ///< of the tube; 0: a band does, 3: a ridge towards the viewer
+    int sides = 0;   ///< of the tube; 0: a band does; kRidge
     int stride = 1;  ///< every how many nodes, a power of two up to kMostStride
     float plies = 0; ///< 0 hidden .. 1 fully shown
     float hair = 0;  ///< likewise the loose fibres, which no fixed level brings nearer

@@ -1,5 +1,7 @@
 #include "ui/render/scene_chunks.h"
 
+#include "ui/render/hidden_sky.h"
+
 #include <algorithm>
 
 namespace knittsim::render {
@@ -83,6 +85,7 @@ std::shared_ptr<const SceneFrame> isolated(const SceneFrame& whole, const fabric
     part->topology = std::move(topology);
     part->style = whole.style;
     part->diameters = whole.diameters;
+    addHidden(*part);
     addChunks(*part);
     part->segmentMm = whole.segmentMm;
     part->bounds = whole.bounds;

@@ -94,6 +94,10 @@ void ShaderProgram::set(const char* name, float value) const {
     glUniform1f(location(name), value);
 }
 
+void ShaderProgram::set(const char* name, const Eigen::Vector2f& value) const {
+    glUniform2fv(location(name), 1, value.data());
+}
+
 void ShaderProgram::set(const char* name, const Eigen::Vector3f& value) const {
     glUniform3fv(location(name), 1, value.data());
 }

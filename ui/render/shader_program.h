@@ -26,6 +26,7 @@ public:
     // Set uniforms of the program in use.
     void set(const char* name, int value) const;
     void set(const char* name, float value) const;
+    void set(const char* name, const Eigen::Vector2f& value) const;
     void set(const char* name, const Eigen::Vector3f& value) const;
     void set(const char* name, const Eigen::Vector4f& value) const;
     void set(const char* name, const Eigen::Matrix4f& value) const;

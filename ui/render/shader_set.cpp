@@ -13,9 +13,12 @@ Result<ShaderSet> loadShaders() {
     ShaderSet set;
     const std::vector<const char*> tube{"nodes.glsl", "tube.vert"};
     const std::vector<const char*> band{"band_place.glsl", "nodes.glsl", "band.vert"};
+    const std::vector<const char*> ridge{"ridge.glsl", "nodes.glsl", "tube.vert"};
     for (const Wanted& wanted :
-         {Wanted{set.pliedTube, tube, {"round.glsl", "surface.glsl", "tube.glsl", "plies.glsl", "yarn.frag"}},
+         {Wanted{set.pliedTube, tube, {"surface.glsl", "tube.glsl", "plies.glsl", "yarn.frag"}},
+          {set.pliedRidge, ridge, {"ridge.glsl", "surface.glsl", "tube.glsl", "plies.glsl", "yarn.frag"}},
           {set.yarnTube, tube, {"surface.glsl", "tube.glsl", "no_plies.glsl", "yarn.frag"}},
+          {set.yarnRidge, ridge, {"ridge.glsl", "surface.glsl", "tube.glsl", "no_plies.glsl", "yarn.frag"}},
           {set.yarnBand,
            band,
            {"band_place.glsl", "surface.glsl", "band.glsl", "no_plies.glsl", "yarn.frag"}},
@@ -24,6 +27,7 @@ Result<ShaderSet> loadShaders() {
            {"cut.glsl", "surface.glsl", "tube.glsl", "plies.glsl", "cut_face.glsl", "yarn.frag"}},
           {set.hair, {"nodes.glsl", "hair.vert"}, {"surface.glsl", "hair.frag"}},
           {set.strokesTube, tube, {"surface.glsl", "tube.glsl", "strokes.frag"}},
+          {set.strokesRidge, ridge, {"ridge.glsl", "surface.glsl", "tube.glsl", "strokes.frag"}},
           {set.strokesBand, band, {"band_place.glsl", "surface.glsl", "band.glsl", "strokes.frag"}},
           {set.line, band, {"band_place.glsl", "surface.glsl", "band.glsl", "line.frag"}},
           {set.marker, {"marker.vert"}, {"marker.frag"}},

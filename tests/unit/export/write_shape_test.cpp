@@ -50,6 +50,25 @@ TEST_F(ExportTest, CancelKeepsTheFileThatWasThere) {
     }
 }
 
+TEST_F(ExportTest, WhereTheObjFindsNoPlaceTheMaterialsStayAsTheyWere) {
+    const Shape shape = swatch();
+    std::filesystem::create_directories(m_folder / "a.obj" / "full"); // no file replaces a folder
+    const auto alone = writeShape(m_folder / "a.obj", shape);
+    ASSERT_FALSE(alone);
+    EXPECT_EQ(alone.diagnostics().front().id, "KS0002");
+    EXPECT_EQ(entryCount(), 1); // nothing but the folder
+    std::ofstream(m_folder / "a.mtl") << "before";
+    EXPECT_FALSE(writeShape(m_folder / "a.obj", shape));
+    EXPECT_EQ(readFile(m_folder / "a.mtl").value(), "before");
+    EXPECT_EQ(entryCount(), 2);
+}
+
+TEST_F(ExportTest, WhereTheMaterialsFindNoPlaceThereIsNoObj) {
+    std::filesystem::create_directories(m_folder / "a.mtl" / "full");
+    EXPECT_FALSE(writeShape(m_folder / "a.obj", swatch()));
+    EXPECT_EQ(entryCount(), 1);
+}
+
 TEST_F(ExportTest, SaysWhatCannotBeWritten) {
     const Shape shape = swatch();
     for (const char* name : kNames) {

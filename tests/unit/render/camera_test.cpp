@@ -130,6 +130,25 @@ TEST(Camera, putsUselessNumbersRight) {
     EXPECT_GT(camera.state().halfHeight, 0);
 }
 
+TEST_P(BothProjections, fitLeavesTheEdgesFreeThatAreAskedFor) {
+    geometry::Bounds box;
+    box.add({-10, 20, -2});
+    box.add({10, 120, 2}); // high
+    Camera camera = makeCamera(GetParam());
+    camera.setViewport(400, 300);
+    camera.setScene(box);
+    camera.fit(box, 30, 60);
+    for (const float y : {20.0F, 120.0F}) {
+        for (const float z : {-2.0F, 2.0F}) {
+            const float onScreen = camera.project({0, y, z}).y();
+            EXPECT_GE(onScreen, 30);
+            EXPECT_LE(onScreen, 240);
+        }
+    }
+    EXPECT_LT(camera.project({0, 120, 0}).y(), 60);
+    EXPECT_GT(camera.project({0, 20, 0}).y(), 210);
+}
+
 TEST(Camera, fitOfNothingChangesNothing) {
     Camera camera = makeCamera(true);
     const CameraState before = camera.state();

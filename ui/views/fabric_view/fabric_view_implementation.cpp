@@ -12,6 +12,8 @@ namespace knittsim::ui {
 namespace {
 
 constexpr float kPickPixels = 3; ///< how far beside the yarn a click still counts
+constexpr float kAbove = 32;     ///< pixels that a fitted fabric leaves free for badge ...
+constexpr float kBelow = 52;     ///< ... and dimensions
 
 QVector3D toQt(const Vec3f& v) {
     return {v.x(), v.y(), v.z()};
@@ -103,8 +105,8 @@ void FabricView::Implementation::takePicture() {
     if (!content.scene->bounds.empty()) {
         if (fitPending) {
             fitCamera();
-        } else if (following && followFit) {
-            followScene();
+        } else if (following && followFit && gesture != Gesture::Pull) {
+            followScene(); // while it is pulled the picture stands still: the mouse says where to
         }
         fitPending = false;
     }
@@ -147,15 +149,22 @@ geometry::Bounds FabricView::Implementation::needleBox() const {
     return box;
 }
 
+void FabricView::Implementation::fit(render::Camera& camera) const {
+    // The badge has its place above the fabric, dimensions and scale below it.
+    constexpr int kLeastHeight = 300;
+    const bool room = view.height() >= kLeastHeight;
+    camera.fit(fitBox(), room ? kAbove : 0, room && annotations.dimensions ? kBelow : 0);
+}
+
 void FabricView::Implementation::fitCamera() {
-    content.camera.fit(fitBox());
+    fit(content.camera);
     emit view.cameraMoved();
 }
 
 /// In class the picture stays where it is while what is worked at stays in it.
 void FabricView::Implementation::followScene() {
     render::Camera fitted = content.camera;
-    fitted.fit(fitBox());
+    fit(fitted);
     const render::CameraState& now = content.camera.state();
     const render::CameraState& then = fitted.state();
     const float nearer = now.halfHeight / then.halfHeight;

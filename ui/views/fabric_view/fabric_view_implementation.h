@@ -66,6 +66,7 @@ struct FabricView::Implementation {
     void changed();
     geometry::Bounds fitBox() const;
     geometry::Bounds needleBox() const;
+    void fit(render::Camera& camera) const;
     void fitCamera();
     void followScene();
     void moveCamera(const std::function<void(render::Camera&)>& move);

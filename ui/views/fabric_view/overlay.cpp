@@ -256,33 +256,33 @@ void Overlay::paintPins(QPainter& painter) const {
     }
 }
 
-/// A spring from the yarn to the mouse.
+/// A spring from the yarn to a handle above the mouse, which has a length even where the yarn has followed.
 void Overlay::paintPull(QPainter& painter) const {
     if (!m_content.pull) {
         return;
     }
-    constexpr int kTurns = 14;
-    constexpr double kWide = 7;
+    constexpr int kTurns = 9;
+    constexpr double kWide = 8;
+    constexpr QPointF kAtRest(30, -42);
     const QPointF from = onScreen(m_content.pull->first);
-    const QPointF to = onScreen(m_content.pull->second);
+    const QPointF to = onScreen(m_content.pull->second) + kAtRest;
     const QPointF way = to - from;
-    const double length = std::hypot(way.x(), way.y());
+    const double length = std::max(1.0, std::hypot(way.x(), way.y()));
+    const QPointF across(-way.y() / length * kWide, way.x() / length * kWide);
     QPolygonF spring{from};
-    if (length > 4 * kWide) {
-        const QPointF across(-way.y() / length * kWide, way.x() / length * kWide);
-        for (int i = 0; i < kTurns; ++i) {
-            spring << from + (0.15 + 0.7 * (i + 0.5) / kTurns) * way + (i % 2 == 0 ? across : -across);
-        }
+    for (int i = 0; i < kTurns; ++i) {
+        spring << from + (0.15 + 0.7 * (i + 0.5) / kTurns) * way + (i % 2 == 0 ? across : -across);
     }
     spring << to;
     painter.setBrush(Qt::NoBrush);
     for (const QPen& pen : {QPen(ground(), 4.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin),
-                            QPen(ink(), 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin)}) {
+                            QPen(ink(), 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin)}) {
         painter.setPen(pen);
         painter.drawPolyline(spring);
     }
     painter.setBrush(ink());
-    painter.drawEllipse(to, 4, 4);
+    painter.drawEllipse(from, 3, 3);
+    painter.drawEllipse(to, 5, 5);
 }
 
 void Overlay::paintMark(QPainter& painter) const {
@@ -302,8 +302,7 @@ void Overlay::paintScale(QPainter& painter) const {
     const double millimetres = scaleBarMm(perPixel, std::min(kScalePixels, width() / 3.0));
     const double pixels = millimetres / perPixel;
     const double right = width() - kMargin;
-    constexpr int kAboveWidth = 26; // the width of a fabric that fills the view stands below
-    const double y = height() - kMargin - (m_annotations.dimensions ? kAboveWidth : 0);
+    const double y = height() - kMargin;
     constexpr double kInchMm = 25.4;
     const QString text =
         tr("%1 mm (%2 in)")

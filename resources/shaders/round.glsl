@@ -1,2 +1,0 @@
-// Before all other parts: the tube is round all around, never a ridge.
-#define ROUND
