@@ -9,7 +9,7 @@ build=$root/build
 # Packages of Debian 12; Ubuntu 24.04 has the same names.
 packages_core="g++ make cmake ninja-build pkg-config libeigen3-dev libsundials-dev libfmt-dev nlohmann-json3-dev
   libcli11-dev libssl-dev libpng-dev libepoxy-dev libgl1-mesa-dev libegl1-mesa-dev libgl1-mesa-dri libegl1 libglx-mesa0"
-packages_window="qt6-base-dev qt6-tools-dev qt6-l10n-tools libqt6opengl6-dev qt6-svg-dev libwebp-dev qt6-qpa-plugins libxkbcommon-dev libxcb-cursor0
+packages_window="qt6-base-dev qt6-tools-dev qt6-l10n-tools qt6-translations-l10n libqt6opengl6-dev qt6-svg-dev libwebp-dev qt6-qpa-plugins libxkbcommon-dev libxcb-cursor0
   fonts-dejavu-core qt6-speech-dev qt6-declarative-dev qt6-speech-speechd-plugin speech-dispatcher
   speech-dispatcher-espeak-ng"
 packages_tests="libgtest-dev libgmock-dev libbenchmark-dev xvfb xauth"

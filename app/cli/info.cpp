@@ -112,11 +112,13 @@ void printText(const nlohmann::ordered_json& info) {
             "  yarn curves     {} of {} crossings as recorded, {} faults; {} stitches, {} pull-throughs\n",
             curves["crossings_found"].dump(), curves["crossings_expected"].dump(),
             curves["crossing_faults"].dump(), curves["stitches"].dump(), curves["pull_throughs"].dump());
-        fmt::print("                  strands {:.3f} mm apart or more; {} of {} pieces as long as their "
-                   "yarn, {} cannot "
-                   "be\n",
-                   curves["smallest_distance_mm"].get<double>(), curves["pieces_as_stored"].dump(),
-                   curves["pieces"].dump(), curves["pieces_out_of_reach"].dump());
+        fmt::print("                  strands {:.3f} mm apart or more\n",
+                   curves["smallest_distance_mm"].get<double>());
+        fmt::print(
+            "                  {} of {} pieces as long as their yarn, {} cannot be; ends of {} more lie "
+            "too far apart\n",
+            curves["pieces_as_stored"].dump(), curves["pieces"].dump(), curves["pieces_out_of_reach"].dump(),
+            curves["pieces_too_far"].dump());
     }
 }
 

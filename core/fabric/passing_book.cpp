@@ -1,7 +1,7 @@
 #include "core/fabric/passing_book.h"
 
 #include <algorithm>
-#include <iterator>
+#include <numeric>
 #include <optional>
 
 namespace knittsim::fabric {
@@ -25,6 +25,11 @@ std::span<const std::int32_t> lastOf(const List& on, std::size_t count) {
     return std::span(on).last(count);
 }
 
+/// Those that are looked through.
+std::span<const std::int32_t> latestOf(const List& on) {
+    return lastOf(on, std::min(on.size(), PassingBook::kReach + 1));
+}
+
 /// +1 when `strand` moved to the right past the other one.
 int directionOf(Strand strand, const Passing& passing) {
     return strand == passing.over ? passing.sign : -passing.sign;
@@ -38,31 +43,84 @@ PassingBook::List& PassingBook::list(Strand strand) {
 }
 
 void PassingBook::pass(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment) {
-    for (const Pair& pair : undo(pairs)) {
-        const auto number = static_cast<std::int32_t>(m_passings.size());
-        m_passings.push_back({.over = pair.over,
-                              .under = pair.under,
+    undoEldestFirst(pairs);
+    m_inOrder = m_left;
+    std::ranges::sort(m_inOrder);
+    const std::size_t first = m_passings.size();
+    for (const std::size_t i : m_inOrder) {
+        m_passings.push_back({.over = pairs[i].over,
+                              .under = pairs[i].under,
                               .operation = operation,
-                              .sign = static_cast<std::int8_t>(pair.sign),
-                              .place = static_cast<float>(pair.place),
+                              .sign = static_cast<std::int8_t>(pairs[i].sign),
+                              .place = static_cast<float>(pairs[i].place),
                               .moment = moment});
-        list(pair.over).push_back(number);
-        list(pair.under).push_back(number);
+    }
+    // On the strands by age, too: the same from either side.
+    for (const std::size_t i : m_left) {
+        const auto among = std::ranges::lower_bound(m_inOrder, i) - m_inOrder.begin();
+        const auto number = static_cast<std::int32_t>(first) + static_cast<std::int32_t>(among);
+        settle(pairs[i]);
+        list(pairs[i].over).push_back(number);
+        list(pairs[i].under).push_back(number);
     }
 }
 
-/// One pair may lie in the way of another, so it goes on until nothing changes.
-std::span<const PassingBook::Pair> PassingBook::undo(std::span<const Pair> pairs) {
-    m_pending.assign(pairs.begin(), pairs.end());
-    std::size_t before = m_pending.size() + 1;
-    while (m_pending.size() < before) {
-        before = m_pending.size();
-        std::erase_if(m_pending, [&](const Pair& pair) { return tryUndo(pair); });
+/// The two that pass each other may have had no order until now. They had this one: what passed both at one
+/// moment met the left one first on its way to the right.
+void PassingBook::settle(const Pair& pair) {
+    if (havePassed(pair.over, pair.under)) {
+        return;
     }
-    return m_pending;
+    const Strand left = pair.sign > 0 ? pair.over : pair.under;
+    const Strand right = pair.sign > 0 ? pair.under : pair.over;
+    const auto onRight = latestOf(on(right));
+    for (const std::int32_t number : latestOf(on(left))) {
+        if (number == kBar) {
+            continue;
+        }
+        const Strand strand = at(number).other(left);
+        const auto twin = std::ranges::find_if(onRight, [&](std::int32_t n) {
+            return n != kBar && at(n).moment == at(number).moment && at(n).other(right) == strand;
+        });
+        if (twin != onRight.end()) {
+            const bool rightward = directionOf(strand, at(number)) > 0;
+            putInOrder(strand, rightward ? number : *twin, rightward ? *twin : number);
+        }
+    }
 }
 
-bool PassingBook::tryUndo(const Pair& pair) {
+/// Two passings of one moment, if what lies between them lets it.
+void PassingBook::putInOrder(Strand strand, std::int32_t first, std::int32_t second) {
+    List& passings = list(strand);
+    const auto from = std::ranges::find(passings, second);
+    const auto to = std::find(from, passings.end(), first);
+    if (to == passings.end()) {
+        return;
+    }
+    const auto canPass = [&](std::int32_t n) {
+        return std::all_of(from + 1, to, [&](std::int32_t o) { return areUnordered(strand, n, o); });
+    };
+    if (canPass(second)) {
+        std::rotate(from, from + 1, to + 1);
+    } else if (canPass(first)) {
+        std::rotate(from, to, to + 1);
+    }
+}
+
+/// One pair may lie in the way of another, so it goes on until nothing changes. The elder ones first: an
+/// order that does not depend on the side from which one looks.
+void PassingBook::undoEldestFirst(std::span<const Pair> pairs) {
+    m_left.resize(pairs.size());
+    std::iota(m_left.begin(), m_left.end(), 0U);
+    std::ranges::sort(m_left, {}, [&](std::size_t i) { return std::minmax(pairs[i].over, pairs[i].under); });
+    std::size_t before = m_left.size() + 1;
+    while (m_left.size() < before) {
+        before = m_left.size();
+        std::erase_if(m_left, [&](std::size_t i) { return undo(pairs[i]); });
+    }
+}
+
+bool PassingBook::undo(const Pair& pair) {
     const std::int32_t number = findLast(pair.over, pair.under);
     if (number < 0) {
         return false;
@@ -76,12 +134,12 @@ bool PassingBook::tryUndo(const Pair& pair) {
     if ((!slider && !m_gapOver.empty()) || !isGapClear(last)) {
         return false;
     }
+    if (slider) {
+        slide(last, *slider);
+    }
     for (const Strand strand : {last.over, last.under}) {
         List& passings = list(strand);
         passings.erase(passings.end() - 1 - static_cast<std::ptrdiff_t>(*countAfter(passings, number)));
-    }
-    if (slider) {
-        slide(last, *slider);
     }
     m_passings[static_cast<std::size_t>(number)].undone = true;
     return true;
@@ -92,9 +150,7 @@ std::int32_t PassingBook::findLast(Strand a, Strand b) const {
     const bool aIsShorter = on(a).size() <= on(b).size();
     const Strand shorter = aIsShorter ? a : b;
     const Strand longer = aIsShorter ? b : a;
-    const List& passings = on(shorter);
-    const std::size_t reach = std::min(passings.size(), kReach + 1);
-    const auto latest = lastOf(passings, reach);
+    const auto latest = latestOf(on(shorter));
     const auto found = std::find_if(latest.rbegin(), latest.rend(), [&](std::int32_t number) {
         return number != kBar && at(number).other(shorter) == longer;
     });
@@ -121,16 +177,13 @@ std::optional<Strand> PassingBook::findSlider(const Passing& passing) const {
     if (m_gapOver.empty()) {
         return std::nullopt;
     }
+    const auto isOnce = [&](const List& gap, Strand own, Strand strand) {
+        return std::ranges::count_if(gap, [&](std::int32_t n) { return at(n).other(own) == strand; }) == 1;
+    };
     for (const std::int32_t number : m_gapOver) {
-        if (!runsThrough(passing, at(number).other(passing.over))) {
-            return std::nullopt;
-        }
-    }
-    for (const std::int32_t number : m_gapUnder) {
-        const auto isSame = [&](std::int32_t n) {
-            return at(n).other(passing.over) == at(number).other(passing.under);
-        };
-        if (std::ranges::count_if(m_gapOver, isSame) != 1) {
+        const Strand strand = at(number).other(passing.over);
+        if (!isOnce(m_gapOver, passing.over, strand) || !isOnce(m_gapUnder, passing.under, strand) ||
+            !runsThrough(passing, strand)) {
             return std::nullopt;
         }
     }
@@ -177,7 +230,11 @@ bool PassingBook::gather(Strand strand, Strand over, std::int32_t a, std::int32_
     const auto isOneOfTheTwo = [&](std::int32_t n) { return n == a || n == b; };
     const auto near = passings.end() - static_cast<std::ptrdiff_t>(std::min(passings.size(), kReach + 1));
     const auto first = std::find_if(near, passings.end(), isOneOfTheTwo);
-    const auto second = std::find_if(first + 1, passings.end(), isOneOfTheTwo);
+    const auto second =
+        first == passings.end() ? first : std::find_if(first + 1, passings.end(), isOneOfTheTwo);
+    if (second == passings.end()) {
+        return false;
+    }
     m_gathered.begin = static_cast<std::size_t>(first - passings.begin());
     m_gathered.before.clear();
     m_gathered.between.clear();
@@ -215,7 +272,9 @@ bool PassingBook::areUnordered(Strand strand, std::int32_t a, std::int32_t b) co
 
 /// Puts `moved` right behind `fixed` if it came before, right before it if it came behind.
 void PassingBook::swapOrder(Strand strand, Strand over, std::int32_t moved, std::int32_t fixed) {
-    gather(strand, over, moved, fixed);
+    if (!gather(strand, over, moved, fixed)) {
+        return;
+    }
     List& passings = list(strand);
     const auto begin = passings.begin() + static_cast<std::ptrdiff_t>(m_gathered.begin);
     const bool movedFirst = *begin == moved;

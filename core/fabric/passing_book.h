@@ -18,12 +18,15 @@ namespace knittsim::fabric {
 ///    the other strand, and then the second move applies. On a strand that runs through, nothing may lie
 ///    between its passings of the two but what can be put aside or runs through, too.
 /// Both moves change the diagram of crossings and not the fabric, whatever the machine did in between.
+/// Strands that stood at one place have no order until they pass each other; from then on it is known how
+/// they stood.
 ///
 /// What is not recognised: a strand that could slide past a place where a loop is drawn through another one
 /// (whether it can depends on where all the yarns there go), gaps with more than kReach strands in them, and
 /// chains of third moves that only together make room for a second one. Then the crossings stay: they are
-/// right, but there are more of them than need be. Telling in general whether two diagrams show the same
-/// fabric is a problem of knot theory that no local rule decides.
+/// right, but there are more of them than need be, and which of them stay may depend on what else the machine
+/// did (of random programs with stacks and racks one in some thousands). Telling in general whether two
+/// diagrams show the same fabric is a problem of knot theory that no local rule decides.
 class PassingBook {
 public:
     static constexpr std::size_t kReach = 32;
@@ -46,8 +49,8 @@ public:
     /// others make new passings. `moment` as in Passing.
     void pass(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment);
 
-    /// Undoes earlier passings only. Returns the pairs that found none; valid until the next call.
-    std::span<const Pair> undo(std::span<const Pair> pairs);
+    /// Undoes an earlier passing only. False when there is none that this undoes.
+    bool undo(const Pair& pair);
 
     /// The two have passed each other lately, and that is not undone.
     bool havePassed(Strand a, Strand b) const { return findLast(a, b) >= 0; }
@@ -70,7 +73,9 @@ private:
     using List = std::vector<std::int32_t>;
 
     List& list(Strand strand);
-    bool tryUndo(const Pair& pair);
+    void settle(const Pair& pair);
+    void putInOrder(Strand strand, std::int32_t first, std::int32_t second);
+    void undoEldestFirst(std::span<const Pair> pairs);
     std::int32_t findLast(Strand a, Strand b) const;
     bool collectGap(Strand strand, std::int32_t number, List& gap) const;
     std::optional<Strand> findSlider(const Passing& passing) const;
@@ -86,8 +91,9 @@ private:
     std::vector<Passing> m_passings;
     std::vector<List> m_onLoop;
     std::vector<List> m_onFloat;
-    std::vector<Pair> m_pending;
-    List m_gapOver; ///< passings on either strand in the gap that is to be closed
+    std::vector<std::size_t> m_left;    ///< pairs that were not undone, the eldest first
+    std::vector<std::size_t> m_inOrder; ///< the same as they were given
+    List m_gapOver;                     ///< passings on either strand in the gap that is to be closed
     List m_gapUnder;
     /// Passings on a strand about two of them: aside before these, between them, aside behind them.
     struct Gathered {

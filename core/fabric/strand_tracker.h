@@ -3,8 +3,11 @@
 #include "core/fabric/passing_book.h"
 #include "core/machine/emulator.h"
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -22,8 +25,8 @@ namespace knittsim::fabric {
 ///
 /// Racks that follow each other without anything between them are one rack.
 ///
-/// Strands that meet while the bed racks pass in the order of time, so that nothing depends on which bed
-/// moves or from which side one looks.
+/// Strands that meet while the bed racks pass in the order of time, those that meet at one moment in the
+/// order of their age, so that nothing depends on which bed moves or from which side one looks.
 ///
 /// Loops that face each other (same place, both beds) have not passed yet. At rack 0.25 the rear loop stands
 /// to the right of the front loop with its number, and between racks 0 and 0.25 nothing passes. A rear loop
@@ -87,9 +90,14 @@ private:
     /// What a rear needle meets while the bed racks, `way` from where it started.
     struct RackMeeting {
         Key way;
+        LoopIndex eldest; ///< of the two needles: an order of what happens at one moment
         std::int32_t rear;
         Met met;
     };
+    static constexpr std::array kFrontBeds{machine::Bed::Front, machine::Bed::FrontSlider};
+    static constexpr std::array kRearBeds{machine::Bed::Rear, machine::Bed::RearSlider};
+    static bool isWhole(double place) { return place == std::floor(place); }
+
     /// A carrier on its way to its next place.
     struct Way {
         CarrierIndex carrier;
@@ -103,6 +111,8 @@ private:
     void pairYarns(std::span<const Way> together, const Met& met, int direction);
     bool isInFront(CarrierIndex carrier, const Met& met) const;
     void applyRack();
+    std::vector<std::int32_t> rearNeedles(double rack) const;
+    LoopIndex eldestLoop(std::span<const machine::Bed> beds, double place) const;
     void collectRackMeetings(std::int32_t rear, double from, double to);
     void passRackMeetings(int direction);
     void pairRear(Strand over, std::int32_t rear, int direction, double place);

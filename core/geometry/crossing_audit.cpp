@@ -1,14 +1,12 @@
 #include "core/geometry/crossing_audit.h"
 
-#include "core/geometry/strand_order.h"
-
 #include <algorithm>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace knittsim::geometry {
 
-using fabric::BondingPoint;
 using fabric::Fabric;
 using fabric::Piece;
 using fabric::PointIndex;
@@ -16,27 +14,17 @@ using fabric::Role;
 
 namespace {
 
-/// One crossing of two pieces a < b: who is in front, and the sign when both pieces run with time (legs from
-/// foot to head, floats as the carrier went).
-struct Event {
-    CurvePiece a;
-    CurvePiece b;
-    bool aOver = false;
-    int sign = 0;
-    float place = 0;      ///< along a, with time; wanted ones: -1 recorded, 0 and 1 of a stitch
-    PointIndex over = -1; ///< bonding points that the strands are nearest to
-    PointIndex under = -1;
-    std::int32_t node = -1;
-    std::size_t index = 0; ///< of the projected crossing
-    bool kink = false;     ///< wanted, but good without: it can be straightened
-};
+using Event = CrossingEvent;
 
 constexpr PointIndex kBeyondBorder = 3;   ///< bonding points
 constexpr PointIndex kPointsOnPiece = 64; ///< looked through on either side
 
 class Auditor {
 public:
-    Auditor(const Fabric& fabric, const YarnCurves& curves) : m_fabric(fabric), m_curves(curves) {
+    Auditor(const Fabric& fabric, const YarnCurves& curves, const std::vector<ProjectedCrossing>& crossings)
+        : m_fabric(fabric), m_curves(curves), m_events(fabric, curves), m_wanted(m_events.wanted()),
+          m_found(m_events.found(crossings)) {
+        m_audit.order.assign(crossings.size(), 1);
         m_next.assign(fabric.loops.size(), -1);
         for (std::size_t i = 0; i < fabric.loops.size(); ++i) {
             for (const machine::LoopIndex parent :
@@ -47,17 +35,6 @@ public:
     }
 
     CrossingAudit run(const std::vector<ProjectedCrossing>& crossings) {
-        expectLoops();
-        expectCrossings();
-        m_audit.order.assign(crossings.size(), 1);
-        for (std::size_t i = 0; i < crossings.size(); ++i) {
-            addFound(crossings[i], i);
-        }
-        const auto order = [](const Event& x, const Event& y) {
-            return std::tie(x.a, x.b, x.place) < std::tie(y.a, y.b, y.place);
-        };
-        std::ranges::sort(m_found, order);
-        std::ranges::stable_sort(m_wanted, order);
         compare();
         matchBeside();
         judgeFurther();
@@ -66,137 +43,6 @@ public:
     }
 
 private:
-    const BondingPoint& point(PointIndex p) const { return m_fabric.points[static_cast<std::size_t>(p)]; }
-    const machine::Loop& made(machine::LoopIndex loop) const {
-        return m_fabric.made.loops[static_cast<std::size_t>(loop)];
-    }
-
-    CurvePiece pieceOf(PointIndex p) const {
-        const BondingPoint& bp = point(p);
-        if (bp.role != Role::Crossing) {
-            return {bp.loop, bp.side == fabric::Side::Left ? Piece::LeftLeg : Piece::RightLeg};
-        }
-        if (bp.piece == Piece::Float) {
-            for (const PointIndex beside : {p + 1, p - 1}) {
-                if (crossesBack(p, beside)) {
-                    return pieceOf(beside);
-                }
-            }
-        }
-        return {bp.loop, bp.piece};
-    }
-
-    /// A float passes a leg just before its loop is drawn through there (or just after): both belong to one
-    /// piece, on which they cancel if the yarn turned round.
-    bool crossesBack(PointIndex p, PointIndex foot) const {
-        if (foot < 0 || foot >= static_cast<PointIndex>(m_fabric.points.size()) ||
-            point(foot).role != Role::Foot) {
-            return false;
-        }
-        const fabric::Crossing& crossing = m_fabric.crossings[static_cast<std::size_t>(point(p).crossing)];
-        const BondingPoint& other = point(crossing.over == p ? crossing.under : crossing.over);
-        const Piece side = point(foot).side == fabric::Side::Left ? Piece::LeftLeg : Piece::RightLeg;
-        const auto parents = m_fabric.made.parentsOf(point(foot).loop);
-        return other.piece == side && std::ranges::find(parents, other.loop) != parents.end();
-    }
-
-    /// +1 when time runs along the yarn there, -1 when it runs against it.
-    int timeSense(const CurvePiece& piece) const {
-        if (piece.piece == Piece::Float) {
-            return 1;
-        }
-        const bool rightward = made(piece.loop).direction == machine::Direction::Right;
-        return rightward == (piece.piece == Piece::LeftLeg) ? 1 : -1;
-    }
-
-    /// -1 where a point of a float counts as part of a leg that time runs up against the yarn.
-    int senseOf(PointIndex p, const CurvePiece& piece) const {
-        return point(p).piece == Piece::Float && point(p).role == Role::Crossing ? timeSense(piece) : 1;
-    }
-
-    void addFound(const ProjectedCrossing& crossing, std::size_t index) {
-        const PointIndex overPoint = pointAt(crossing.over);
-        const PointIndex underPoint = pointAt(crossing.under);
-        const CurvePiece over = pieceOf(overPoint);
-        const CurvePiece under = pieceOf(underPoint);
-        if (over == under) {
-            return;
-        }
-        const int sign = crossing.sign * timeSense(over) * timeSense(under);
-        const float onOver =
-            static_cast<float>(timeSense(over)) * (static_cast<float>(crossing.over) + crossing.overShare);
-        const float onUnder =
-            static_cast<float>(timeSense(under)) * (static_cast<float>(crossing.under) + crossing.underShare);
-        if (over < under) {
-            m_found.push_back({over, under, true, sign, onOver, overPoint, underPoint, crossing.over, index});
-        } else {
-            m_found.push_back(
-                {under, over, false, sign, onUnder, overPoint, underPoint, crossing.under, index});
-        }
-    }
-
-    PointIndex pointAt(std::int32_t node) const { return m_curves.piece[static_cast<std::size_t>(node)]; }
-
-    void want(PointIndex over, PointIndex under, int sign, float place, bool kink = false) {
-        const CurvePiece a = pieceOf(over);
-        const CurvePiece b = pieceOf(under);
-        m_wanted.push_back({std::min(a, b), std::max(a, b), a < b, sign, place, over, under, -1, 0, kink});
-    }
-
-    /// A loop passes behind the legs of the loops that it is drawn through and over their heads, or the other
-    /// way round on the rear bed.
-    void expectLoops() {
-        for (std::size_t i = 0; i < m_fabric.loops.size(); ++i) {
-            const auto child = static_cast<machine::LoopIndex>(i);
-            if (m_fabric.loops[i].footLeft < 0) {
-                continue;
-            }
-            for (const machine::LoopIndex parent : m_fabric.made.parentsOf(child)) {
-                for (const Piece side : {Piece::LeftLeg, Piece::RightLeg}) {
-                    const bool left = side == Piece::LeftLeg;
-                    const fabric::Loop& own = m_fabric.loops[i];
-                    const fabric::Loop& old = m_fabric.loops[static_cast<std::size_t>(parent)];
-                    const PointIndex self = left ? own.footLeft : own.footRight;
-                    const PointIndex other = left ? old.headLeft : old.headRight;
-                    const bool front = pullSign(m_fabric, child) > 0;
-                    const int sign = front == left ? -1 : 1;
-                    want(front ? other : self, front ? self : other, sign, 0);
-                    want(front ? self : other, front ? other : self, sign, 1);
-                }
-            }
-        }
-    }
-
-    void expectCrossings() {
-        for (const fabric::Crossing& crossing : m_fabric.crossings) {
-            if (crossing.over >= 0 && crossing.under >= 0) {
-                // Time runs up a leg, but down from its foot along the float behind it.
-                const CurvePiece over = pieceOf(crossing.over);
-                const CurvePiece under = pieceOf(crossing.under);
-                const int sense = senseOf(crossing.over, over) * senseOf(crossing.under, under);
-                want(crossing.over, crossing.under, crossing.sign * sense, -1, isKink(crossing));
-            }
-        }
-    }
-
-    /// A yarn that turns back behind the leg it has just left makes a kink (first Reidemeister move).
-    bool isKink(const fabric::Crossing& crossing) const {
-        return isKink(crossing.over, crossing.under) || isKink(crossing.under, crossing.over);
-    }
-    bool isKink(PointIndex onFloat, PointIndex onLeg) const {
-        if (point(onFloat).piece != Piece::Float || point(onLeg).piece == Piece::Float) {
-            return false;
-        }
-        const auto step = onFloat < onLeg ? 1 : -1;
-        for (PointIndex p = onFloat; p != onLeg; p += step) {
-            const bool same = pieceOf(p) == pieceOf(onLeg) || (p == onFloat);
-            if (!same) {
-                return false;
-            }
-        }
-        return true;
-    }
-
     void compare() {
         std::size_t f = 0;
         std::size_t w = 0;
@@ -278,7 +124,8 @@ private:
         // The nearest first: a float meets legs of both beds at one needle.
         for (const PointIndex reach : {1, 3}) {
             std::erase_if(m_missing, [&](const Event* wanted) {
-                const auto match = findFurther(wanted->over, wanted->under, yarnSign(*wanted), reach);
+                const auto match =
+                    findFurther(wanted->over, wanted->under, m_events.yarnSign(*wanted), reach);
                 if (match == m_further.end()) {
                     return false;
                 }
@@ -289,7 +136,7 @@ private:
         }
         for (const Event* wanted : m_missing) {
             m_audit.faults.push_back({CrossingFault::Kind::Missing, wanted->a, wanted->b, wanted->node});
-            const auto swapped = findFurther(wanted->under, wanted->over, -yarnSign(*wanted), 1);
+            const auto swapped = findFurther(wanted->under, wanted->over, -m_events.yarnSign(*wanted), 1);
             if (swapped != m_further.end()) {
                 m_audit.order[(*swapped)->index] = -1;
                 m_further.erase(swapped);
@@ -302,21 +149,20 @@ private:
     std::vector<const Event*>::iterator findFurther(PointIndex over, PointIndex under, int sign,
                                                     PointIndex reach) {
         const auto near = [&](PointIndex found, PointIndex wanted) {
-            const bool onFloat = point(wanted).role == Role::Crossing && point(wanted).piece == Piece::Float;
-            return std::abs(found - wanted) <= (onFloat ? reach : 1) || pieceOf(found) == pieceOf(wanted);
+            const fabric::BondingPoint& bp = m_fabric.points[static_cast<std::size_t>(wanted)];
+            const bool onFloat = bp.role == Role::Crossing && bp.piece == Piece::Float;
+            return std::abs(found - wanted) <= (onFloat ? reach : 1) ||
+                   m_events.pieceOf(found) == m_events.pieceOf(wanted);
         };
         const auto place = [](const Event* e) { return e->over; };
         auto it = std::ranges::lower_bound(m_further, over - kPointsOnPiece, {}, place);
         for (; it != m_further.end() && (*it)->over <= over + kPointsOnPiece; ++it) {
-            if (near((*it)->over, over) && near((*it)->under, under) && yarnSign(**it) == sign) {
+            if (near((*it)->over, over) && near((*it)->under, under) && m_events.yarnSign(**it) == sign) {
                 return it;
             }
         }
         return m_further.end();
     }
-
-    /// The sign with both strands along their yarns.
-    int yarnSign(const Event& e) const { return e.sign * timeSense(e.a) * timeSense(e.b); }
 
     void judgeFurther() {
         std::ranges::sort(m_further); // they lie in m_found, in the order of pieces and places
@@ -350,11 +196,11 @@ private:
         while (!events.empty()) {
             const Event& e = *events.back();
             events.pop_back();
-            if (takeNear(events, e.over, e.under, -yarnSign(e)) ||
-                takeNear(layered, e.over, e.under, -yarnSign(e))) {
+            if (takeNear(events, e.over, e.under, -m_events.yarnSign(e)) ||
+                takeNear(layered, e.over, e.under, -m_events.yarnSign(e))) {
                 continue;
             }
-            if (takeNear(layered, e.under, e.over, yarnSign(e))) {
+            if (takeNear(layered, e.under, e.over, m_events.yarnSign(e))) {
                 m_audit.order[e.index] = -1;
                 m_audit.faults.push_back({CrossingFault::Kind::WrongOrder, e.a, e.b, e.node});
             } else {
@@ -396,7 +242,7 @@ private:
         const auto place = [](const Event* e) { return e->over; };
         auto it = std::ranges::lower_bound(events, over - kBeyondBorder, {}, place);
         for (; it != events.end() && (*it)->over <= over + kBeyondBorder; ++it) {
-            if (std::abs((*it)->under - under) <= kBeyondBorder && yarnSign(**it) == sign) {
+            if (std::abs((*it)->under - under) <= kBeyondBorder && m_events.yarnSign(**it) == sign) {
                 events.erase(it);
                 return true;
             }
@@ -440,7 +286,9 @@ private:
     machine::Bed bedBound(machine::LoopIndex loop) const {
         return m_fabric.loops[static_cast<std::size_t>(loop)].bound.bed;
     }
-    machine::Bed bedMade(machine::LoopIndex loop) const { return made(loop).needle.bed; }
+    machine::Bed bedMade(machine::LoopIndex loop) const {
+        return m_fabric.made.loops[static_cast<std::size_t>(loop)].needle.bed;
+    }
 
     /// +1 on the front bed, 0 between the beds, -1 on the rear bed.
     int layer(const CurvePiece& piece, machine::Bed (Auditor::*bedOf)(machine::LoopIndex) const) const {
@@ -453,8 +301,9 @@ private:
     const Fabric& m_fabric;
     const YarnCurves& m_curves;
     std::vector<machine::LoopIndex> m_next; ///< by loop: the last one drawn through it, or -1
-    std::vector<Event> m_found;
+    CrossingEvents m_events;
     std::vector<Event> m_wanted;
+    std::vector<Event> m_found;
     std::vector<const Event*> m_left, m_asked;
     std::vector<const Event*> m_missing, m_further, m_unexplained;
     CrossingAudit m_audit;
@@ -464,7 +313,7 @@ private:
 
 CrossingAudit auditCrossings(const Fabric& fabric, const YarnCurves& curves,
                              const std::vector<ProjectedCrossing>& crossings) {
-    return Auditor(fabric, curves).run(crossings);
+    return Auditor(fabric, curves, crossings).run(crossings);
 }
 
 } // namespace knittsim::geometry

@@ -1,19 +1,10 @@
 #pragma once
 
-#include "core/fabric/fabric.h"
-#include "core/geometry/projected_crossings.h"
+#include "core/geometry/crossing_events.h"
 
 #include <vector>
 
 namespace knittsim::geometry {
-
-/// A piece of yarn between two places where it may cross others: half a loop with half of the sinker before
-/// or after it, or the crossed part of a float (named by the loop that it leads to).
-struct CurvePiece {
-    machine::LoopIndex loop = -1;
-    fabric::Piece piece = fabric::Piece::LeftLeg;
-    auto operator<=>(const CurvePiece&) const = default;
-};
 
 /// What the crossings of two pieces are and what they should be.
 struct CrossingFault {

@@ -23,6 +23,14 @@ class CurvePlan {
 public:
     CurvePlan(const fabric::Fabric& fabric, std::span<const double> diameterMm);
 
+    /// An entry, or a place below it: the base of a leg that has no foot.
+    struct Anchor {
+        fabric::EntryIndex entry = 0;
+        float drop = 0;                 ///< in rises
+        fabric::EntryIndex beside = -1; ///< when given, as low as this entry, and then down by `drop`
+        float acrossMm = 0;             ///< set off to the right
+    };
+
     /// Two unused places enclose the points of each yarn.
     struct YarnRange {
         std::int32_t first = 0; ///< first control point
@@ -61,13 +69,6 @@ private:
     void placeArcs(const FrameField& frames, std::vector<ControlValue>& controls) const;
     void placeReaches(const FrameField& frames, std::vector<ControlValue>& controls) const;
 
-    /// An entry, or a place below it: the base of a leg that has no foot.
-    struct Anchor {
-        fabric::EntryIndex entry = 0;
-        float drop = 0;                 ///< in rises
-        fabric::EntryIndex beside = -1; ///< when given, as low as this entry, and then down by `drop`
-        float acrossMm = 0;             ///< set off to the right
-    };
     static Vec3f placeOf(const FrameField& frames, const Anchor& anchor);
 
     /// On an anchor, set off by `across`, `along` and `out` mm, the first two less where the loops are small.

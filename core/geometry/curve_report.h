@@ -10,9 +10,12 @@ namespace knittsim::geometry {
 struct CurveReport {
     CrossingAudit crossings;
     TopologyCertificate certificate;
-    StrandDistance nearest;       ///< of strands more than three diameters of yarn apart
-    std::size_t piecesTooFar = 0; ///< of yarn between feet and heads that lie farther apart than it is long
-    std::size_t pieces = 0;       ///< of yarn between feet and heads that lie nearer together than it is long
+    StrandDistance nearest; ///< of strands more than three diameters of yarn apart
+    /// Pieces of yarn between feet and heads that lie farther apart than it is long, on the way over the
+    /// places where it is crossed. No curve through these places is as short: nearly all are legs of loops
+    /// that wait while other passes are knitted.
+    std::size_t piecesTooFar = 0;
+    std::size_t pieces = 0; ///< of yarn between feet and heads that lie nearer together than it is long
     std::size_t piecesAsStored = 0; ///< of these, as long as the stored yarn within 1 %
     /// Of the others: longer than that already in the projection of the shortest way, straight from place to
     /// place but for the room that strands need beside each other. The grid of the machine forces it on them.

@@ -1,6 +1,7 @@
 #include "core/lesson/lesson.h"
 
 #include "core/base/file.h"
+#include "core/base/json_places.h"
 #include "core/base/json_reader.h"
 
 #include <algorithm>
@@ -116,6 +117,7 @@ Result<Lesson> parseLesson(std::string_view text, const std::filesystem::path& f
     }
     reader.rejectUnknownKeys();
     if (hasErrors(problems)) {
+        tellLines(text, problems);
         return Result<Lesson>::failure(problems);
     }
     return {std::move(lesson), std::move(problems)};

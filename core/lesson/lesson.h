@@ -55,7 +55,7 @@ struct Lesson {
 };
 
 /// One lesson; `file` names it in messages and says where its program lies. Errors: those of parseJson();
-/// KS0004, KS0005 for wrong and missing values.
+/// KS0004, KS0005 for wrong and missing values, with their lines.
 Result<Lesson> parseLesson(std::string_view text, const std::filesystem::path& file);
 Result<Lesson> readLesson(const std::filesystem::path& file);
 

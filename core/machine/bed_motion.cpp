@@ -277,13 +277,15 @@ SeenNeedle BedMotion::needleAt(Needle needle, double t, double rack) const {
 void BedMotion::addNeedles(BedPicture& picture, double t, BedWindow window) const {
     for (const Bed bed : {Bed::Front, Bed::Rear, Bed::FrontSlider, Bed::RearSlider}) {
         const double shift = isFront(bed) ? 0 : picture.rack;
-        const auto first = static_cast<std::int32_t>(std::ceil(window.first - shift));
-        const auto last = static_cast<std::int32_t>(std::floor(window.last - shift));
+        auto first = static_cast<std::int32_t>(std::ceil(window.first - shift));
+        auto last = static_cast<std::int32_t>(std::floor(window.last - shift));
+        if (isSlider(bed)) {
+            const NeedleRow& used = m_timeline.finalState().beds[static_cast<std::size_t>(bed)];
+            first = std::max(first, used.first());
+            last = std::min(last, used.end() - 1);
+        }
         for (std::int32_t n = first; n <= last; ++n) {
-            SeenNeedle needle = needleAt({bed, n}, t, picture.rack);
-            if (!isSlider(bed) || !needle.loops.empty()) {
-                picture.needles.push_back(std::move(needle));
-            }
+            picture.needles.push_back(needleAt({bed, n}, t, picture.rack));
         }
     }
     if (m_move && t >= phase::kHandOver && t < phase::kHandedOver) {

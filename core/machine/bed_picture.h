@@ -94,7 +94,7 @@ struct BedWindow {
 /// all that the program ever brings in, wherever they stand.
 struct BedPicture {
     double rack = 0;
-    std::vector<SeenNeedle> needles; ///< by bed and index; sliders only where they hold loops
+    std::vector<SeenNeedle> needles; ///< by bed and index; sliders only where the program uses them
     std::vector<SeenLink> links;
     std::vector<SeenCarrier> carriers;
     std::optional<LoopFlight> flight;

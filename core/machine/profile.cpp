@@ -1,6 +1,7 @@
 #include "core/machine/profile.h"
 
 #include "core/base/file.h"
+#include "core/base/json_places.h"
 #include "core/base/json_reader.h"
 #include "core/machine/operation.h"
 
@@ -195,6 +196,7 @@ Result<MachineProfile> parseMachineProfile(std::string_view json, const std::str
     JsonReader reader(document.value(), file, diagnostics);
     MachineProfile profile = readProfile(reader, file, diagnostics);
     if (hasErrors(diagnostics)) {
+        tellLines(json, diagnostics);
         return Result<MachineProfile>::failure(std::move(diagnostics));
     }
     return profile;

@@ -1,6 +1,7 @@
 #include "core/yarn/yarn_library.h"
 
 #include "core/base/file.h"
+#include "core/base/json_places.h"
 #include "core/base/json_reader.h"
 #include "core/base/units.h"
 #include "core/yarn/colour_text.h"
@@ -123,6 +124,7 @@ Result<Yarn> parseYarn(std::string_view json, const std::string& file) {
     JsonReader reader(document.value(), file, diagnostics);
     Yarn yarn = yarnOf(reader);
     if (hasErrors(diagnostics)) {
+        tellLines(json, diagnostics);
         return Result<Yarn>::failure(std::move(diagnostics));
     }
     return yarn;

@@ -246,6 +246,14 @@
         <source>%1, line %2</source>
         <translation>%1, Zeile %2</translation>
     </message>
+    <message>
+        <source>Knit: %1 is empty and takes yarn of carrier %2 as its first loop.</source>
+        <translation>Stricken: %1 ist leer und nimmt Faden von Fadenführer %2 als erste Schleife.</translation>
+    </message>
+    <message>
+        <source>Tuck: %1 is empty and takes yarn of carrier %2 as its first loop.</source>
+        <translation>Fang: %1 ist leer und nimmt Faden von Fadenführer %2 als erste Schleife.</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::document::Document</name>
@@ -902,6 +910,10 @@
     <message>
         <source>Drop: the loops of the needle fall off before the course</source>
         <translation>Abwerfen: die Maschen der Nadel fallen vor der Reihe ab</translation>
+    </message>
+    <message>
+        <source>The old loop hangs on the other bed, the new one on its own</source>
+        <translation>Die alte Schleife hängt am anderen Bett, die neue am eigenen</translation>
     </message>
 </context>
 <context>
@@ -2021,6 +2033,42 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
         <source>Key</source>
         <translation>Taste</translation>
     </message>
+    <message>
+        <source>Wherever the focus is</source>
+        <translation>Wo immer der Fokus ist</translation>
+    </message>
+    <message>
+        <source>Step the machine</source>
+        <translation>Maschine weiterschalten</translation>
+    </message>
+    <message>
+        <source>Space, arrows, Home, End</source>
+        <translation>Leertaste, Pfeile, Pos1, Ende</translation>
+    </message>
+    <message>
+        <source>Walk a list, move a slider, choose</source>
+        <translation>In Listen gehen, Regler bewegen, auswählen</translation>
+    </message>
+    <message>
+        <source>Ctrl and these keys</source>
+        <translation>Strg und diese Tasten</translation>
+    </message>
+    <message>
+        <source>Press a button</source>
+        <translation>Eine Schaltfläche drücken</translation>
+    </message>
+    <message>
+        <source>Enter, or Ctrl and Space</source>
+        <translation>Eingabe, oder Strg und Leertaste</translation>
+    </message>
+    <message>
+        <source>Kept in the layouts Designer and Quality</source>
+        <translation>Bleibt in den Anordnungen Entwurf und Prüfung</translation>
+    </message>
+    <message>
+        <source>all of them where text is written, arrows in charts</source>
+        <translation>alle, wo Text geschrieben wird; Pfeile in Patronen</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::LegendPanel</name>
@@ -2862,10 +2910,6 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
         <translation>Noch ist nichts gewählt: setze Lesezeichen (Strg+B), markiere einen Teil (Umschalt+Pos1, Umschalt+Ende) oder beginne eine Lektion.</translation>
     </message>
     <message>
-        <source>An animation has %1 steps at most, and %2 are chosen: mark a shorter range, or record numbered pictures.</source>
-        <translation>Eine Animation hat höchstens %1 Schritte, gewählt sind %2: markiere einen kürzeren Teil oder zeichne nummerierte Bilder auf.</translation>
-    </message>
-    <message>
         <source>Recording %1 steps</source>
         <translation>%1 Schritte werden aufgezeichnet</translation>
     </message>
@@ -3180,6 +3224,10 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
     <message>
         <source>strokes</source>
         <translation>Striche</translation>
+    </message>
+    <message>
+        <source>An animation has %1 steps at most, and %2 are chosen: mark a shorter range, or record numbered pictures.</source>
+        <translation>Eine Animation hat höchstens %1 Schritte, gewählt sind %2: markiere einen kürzeren Teil oder zeichne nummerierte Bilder auf.</translation>
     </message>
 </context>
 <context>

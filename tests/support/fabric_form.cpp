@@ -221,25 +221,6 @@ FabricForm withoutFloats(FabricForm form) {
     return form;
 }
 
-FabricForm withoutOpposites(FabricForm form) {
-    for (FormYarn& yarn : form.yarns) {
-        for (std::size_t i = 0; i < yarn.stops.size();) {
-            Stop opposite = yarn.stops[i];
-            opposite.sign = -opposite.sign;
-            const auto rest = yarn.stops.begin() + static_cast<std::ptrdiff_t>(i);
-            const auto found = opposite.role == Role::Crossing ? std::find(rest, yarn.stops.end(), opposite)
-                                                               : yarn.stops.end();
-            if (found == yarn.stops.end()) {
-                ++i;
-            } else {
-                yarn.stops.erase(found);
-                yarn.stops.erase(yarn.stops.begin() + static_cast<std::ptrdiff_t>(i));
-            }
-        }
-    }
-    return form;
-}
-
 FabricForm withSortedCrossings(FabricForm form) {
     for (FormYarn& yarn : form.yarns) {
         auto first = yarn.stops.begin();

@@ -75,9 +75,6 @@ FabricForm withoutCrossings(FabricForm form);
 /// Leaves out the crossings of floats.
 FabricForm withoutFloats(FabricForm form);
 
-/// Leaves out crossings of the same two pieces, the same one in front, that come once with each sign.
-FabricForm withoutOpposites(FabricForm form);
-
 /// Puts crossings that follow each other on one piece into a fixed order. Strands at the same place of the
 /// bed (a stack, facing loops) have no order across; where it has to be chosen, a mirror may change it.
 FabricForm withSortedCrossings(FabricForm form);

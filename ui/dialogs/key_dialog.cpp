@@ -53,6 +53,19 @@ void addMouse(QTreeWidget* list) {
     }
 }
 
+void addFocus(QTreeWidget* list) {
+    QTreeWidgetItem* group = addGroup(list, KeyDialog::tr("Wherever the focus is"));
+    const std::initializer_list<std::pair<QString, QString>> uses{
+        {KeyDialog::tr("Step the machine"), KeyDialog::tr("Space, arrows, Home, End")},
+        {KeyDialog::tr("Walk a list, move a slider, choose"), KeyDialog::tr("Ctrl and these keys")},
+        {KeyDialog::tr("Press a button"), KeyDialog::tr("Enter, or Ctrl and Space")},
+        {KeyDialog::tr("Kept in the layouts Designer and Quality"),
+         KeyDialog::tr("all of them where text is written, arrows in charts")}};
+    for (const auto& [what, how] : uses) {
+        new QTreeWidgetItem(group, {what, how});
+    }
+}
+
 } // namespace
 
 KeyDialog::KeyDialog(const QMenuBar* menus, QWidget* parent) : QDialog(parent) {
@@ -71,6 +84,7 @@ KeyDialog::KeyDialog(const QMenuBar* menus, QWidget* parent) : QDialog(parent) {
                 group, {plain(action->text()), action->shortcut().toString(QKeySequence::NativeText)});
         }
     }
+    addFocus(list);
     addMouse(list);
     list->expandAll();
     list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);

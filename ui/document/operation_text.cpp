@@ -210,6 +210,22 @@ QString operationSentence(const machine::Program& program, machine::OperationInd
     }
 }
 
+QString operationSentence(const machine::Timeline& timeline, machine::OperationIndex operation) {
+    const machine::Program& program = timeline.program();
+    if (operation >= 0 && operation < timeline.operationCount()) {
+        const Operation& op = program.operations[static_cast<std::size_t>(operation)];
+        const bool loops = op.kind == OperationKind::Knit || op.kind == OperationKind::Tuck;
+        if (loops && !op.carriers.empty() && timeline.stateAfter(operation).loopsOn(op.needle).empty()) {
+            const QString pattern =
+                op.kind == OperationKind::Knit
+                    ? tr("Knit: %1 is empty and takes yarn of carrier %2 as its first loop.")
+                    : tr("Tuck: %1 is empty and takes yarn of carrier %2 as its first loop.");
+            return pattern.arg(needleText(op.needle), carrierText(program, op.carriers));
+        }
+    }
+    return operationSentence(program, operation);
+}
+
 QString stitchText(const machine::Program& program, const machine::LoopTable& loops, const StitchGrid& grid,
                    machine::LoopIndex loop) {
     const machine::Loop& made = loops.loops[static_cast<std::size_t>(loop)];

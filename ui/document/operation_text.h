@@ -20,6 +20,9 @@ QString operationText(const machine::Program& program, machine::OperationIndex o
 /// needle 5."
 QString operationSentence(const machine::Program& program, machine::OperationIndex operation);
 
+/// The same where it is known what the needle holds: a first loop comes through nothing.
+QString operationSentence(const machine::Timeline& timeline, machine::OperationIndex operation);
+
 /// One stitch of the grid in words: "Front needle 5, course 12: knit with carrier 1, line 341".
 QString stitchText(const machine::Program& program, const machine::LoopTable& loops, const StitchGrid& grid,
                    machine::LoopIndex loop);

@@ -102,19 +102,23 @@ public:
     }
 
     QString finish() override {
-        m_painter.end();
-        m_writer.reset();
+        close();
         if (!m_fine || !m_file.commit()) {
             return tr("The hand-out cannot be written to %1.").arg(m_path);
         }
         return {};
     }
 
-    ~HandoutSink() override {
-        m_painter.end(); // before what it paints on goes
-    }
+    ~HandoutSink() override { close(); }
 
 private:
+    void close() {
+        if (m_painter.isActive()) {
+            m_painter.end(); // before what it paints on goes
+        }
+        m_writer.reset();
+    }
+
     QString m_path;
     QString m_title;
     QSaveFile m_file;

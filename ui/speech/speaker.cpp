@@ -78,8 +78,8 @@ void Speaker::speak() {
     if (!file) {
         return;
     }
-    const QString sentence = step == 0 ? tr("The empty machine.")
-                                       : document::operationSentence(file->timeline->program(), step - 1);
+    const QString sentence =
+        step == 0 ? tr("The empty machine.") : document::operationSentence(*file->timeline, step - 1);
     m_longest.start();
     const VoiceTrouble trouble = m_voice->say(sentence, QLocale());
     if (trouble != VoiceTrouble::None) {

@@ -49,7 +49,7 @@ QString arrangementKey(Layout layout) {
 constexpr double kTeachingSpeed = 0.5; ///< operations a second, so that their phases are seen
 constexpr int kLeftWidth = 320;
 constexpr int kChartWidth = 470; ///< the symbols of 40 wales are seen
-constexpr int kRightWidth = 270;
+constexpr int kRightWidth = 290;
 /// In a lower window yarns and simulation share one place.
 constexpr int kLeastHeightForBoth = 760;
 
@@ -98,7 +98,7 @@ void MainWindow::buildDocks() {
     steps->setFrameShape(QFrame::NoFrame);
     m_stepsDock = addDock(QStringLiteral("stepsDock"), tr("Steps"), steps, Qt::RightDockWidgetArea);
     connect(m_player, &StepPlayer::playingChanged, m_beds, &NeedleBeds::setPlaying);
-    connect(m_player, &StepPlayer::speedChanged, m_beds, &NeedleBeds::setSpeed);
+    connect(m_player, &StepPlayer::tempoChanged, m_beds, &NeedleBeds::setSpeed);
     m_beds->setSpeed(m_player->speed());
     for (const Qt::Corner corner : {Qt::TopLeftCorner, Qt::BottomLeftCorner}) {
         setCorner(corner, Qt::LeftDockWidgetArea);
@@ -190,7 +190,9 @@ void MainWindow::takeClass() {
     m_toolBar->setVisible(!teaching);
     m_status->setVisible(!teaching);
     statusBar()->setVisible(!teaching);
-    setProperty(KeyGuard::kStepsEverywhere, teaching);
+    setProperty(KeyGuard::kSteps, teaching);
+    m_player->setSkimming(teaching);
+    m_fabric->setForClass(teaching);
     applyContrast(*qApp, teaching);
 }
 

@@ -74,9 +74,10 @@ void MainWindow::takeFabric() {
 }
 
 void MainWindow::takeFrame() {
-    m_fabric->setFollowing(m_document.step() == m_document.operationCount() && !m_document.laddersRun());
-    m_fabric->setFrame(m_document.shownFrame());
+    m_fabric->setFollowing(m_layout == Layout::Teaching ||
+                           (m_document.step() == m_document.operationCount() && !m_document.laddersRun()));
     m_fabric->setNeedles(m_document.needleHooks());
+    m_fabric->setFrame(m_document.shownFrame());
     takeYarnRun();
 }
 

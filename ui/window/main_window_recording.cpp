@@ -8,6 +8,7 @@
 #include "ui/window/banner.h"
 #include "ui/window/main_window.h"
 
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -23,16 +24,28 @@ namespace knittsim::ui {
 
 namespace {
 
+const QString kAnimation = QStringLiteral(".webp");
 constexpr int kStopMs = 4000;
 constexpr double kFastest = 25; ///< operations a second
 constexpr double kSlowest = 0.5;
 constexpr std::size_t kMostFrames = 2000; ///< of an animation, which is held in memory until it is written
 
+/// Why so many steps are not recorded there; empty otherwise.
+QString tooLongText(const QString& path, std::size_t steps) {
+    return path.endsWith(kAnimation) && steps > kMostFrames
+               ? QCoreApplication::translate("knittsim::ui::MainWindow",
+                                             "An animation has %1 steps at most, and %2 are chosen: mark a "
+                                             "shorter range, or record numbered pictures.")
+                     .arg(kMostFrames)
+                     .arg(steps)
+               : QString();
+}
+
 } // namespace
 
 void MainWindow::buildRecordingMenu(QMenu* menu) {
     addAction(menu, "actionRecordAnimation", tr("Record an &animation\u2026"), {}, {}, [this] {
-        chooseRecording(tr("Record an animation"), tr("Animated WebP (*.webp)"), QStringLiteral(".webp"));
+        chooseRecording(tr("Record an animation"), tr("Animated WebP (*.webp)"), kAnimation);
     });
     addAction(menu, "actionRecordPictures", tr("Record &pictures\u2026"), {}, {}, [this] {
         chooseRecording(tr("Record pictures: name of a new folder"), tr("Folder of PNG files (*)"), {});
@@ -48,9 +61,9 @@ void MainWindow::buildRecordingMenu(QMenu* menu) {
 /// Every operation of the range that is set, else the bookmarks.
 std::vector<RecordedStep> MainWindow::stepsToRecord() const {
     const document::StepMarks& marks = std::as_const(*m_player).marks();
-    const machine::Program& program = m_document.file()->timeline->program();
+    const machine::Timeline& timeline = *m_document.file()->timeline;
     const auto words = [&](int step) {
-        return step == 0 ? tr("The empty machine.") : document::operationSentence(program, step - 1);
+        return step == 0 ? tr("The empty machine.") : document::operationSentence(timeline, step - 1);
     };
     std::vector<RecordedStep> steps;
     if (marks.loops()) {
@@ -80,12 +93,8 @@ void MainWindow::chooseRecording(const QString& title, const QString& filter, co
                "or begin a lesson."));
         return;
     }
-    if (extension == QLatin1String(".webp") && steps.size() > kMostFrames) {
-        m_banner->showMessage(Banner::Kind::Note,
-                              tr("An animation has %1 steps at most, and %2 are chosen: mark a "
-                                 "shorter range, or record numbered pictures.")
-                                  .arg(kMostFrames)
-                                  .arg(steps.size()));
+    if (const QString trouble = tooLongText(extension, steps.size()); !trouble.isEmpty()) {
+        m_banner->showMessage(Banner::Kind::Note, trouble);
         return;
     }
     const QString name = QFileInfo(m_document.title()).completeBaseName() + extension;
@@ -107,7 +116,11 @@ void MainWindow::record(const QString& path) {
 void MainWindow::record(const QString& path, std::vector<RecordedStep> steps) {
     const auto count = static_cast<int>(steps.size());
     const QString title = m_lesson->running() ? m_lesson->title() : m_document.title();
-    auto sink = path.endsWith(QLatin1String(".webp"))  ? makeWebpSink(path)
+    if (const QString trouble = tooLongText(path, steps.size()); !trouble.isEmpty()) {
+        m_banner->showMessage(Banner::Kind::Note, trouble);
+        return;
+    }
+    auto sink = path.endsWith(kAnimation)              ? makeWebpSink(path)
                 : path.endsWith(QLatin1String(".pdf")) ? makeHandoutSink(path, title)
                                                        : makePngSink(path);
     m_player->setPlaying(false);

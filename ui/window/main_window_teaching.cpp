@@ -32,6 +32,9 @@ void MainWindow::buildTeaching() {
     connect(m_lesson, &LessonPanel::runningChanged, this, &MainWindow::takeActions);
     connect(m_lesson, &LessonPanel::stopShown, this, [this](lesson::Look look) {
         m_gridDock->setVisible(look == lesson::Look::Chart);
+        if (look == lesson::Look::Chart) {
+            resizeDocks({m_gridDock}, {width() / 4}, Qt::Horizontal);
+        }
         m_sourceDock->setVisible(look == lesson::Look::Source);
     });
 }
@@ -43,7 +46,7 @@ void MainWindow::takeLesson() {
     }
     m_bedDock->show();
     m_lessonDock->show();
-    resizeDocks({m_lessonDock}, {360}, Qt::Horizontal);
+    resizeDocks({m_lessonDock}, {std::max(360, width() / 4)}, Qt::Horizontal);
     const auto steps = m_lesson->stopSteps();
     m_player->marks().setBookmarks({steps.begin(), steps.end()});
 }

@@ -187,7 +187,7 @@ private:
         QVERIFY(wanted >= 0);
         while (choice->currentIndex() != wanted) {
             const int before = choice->currentIndex();
-            QTest::keyClick(choice, before < wanted ? Qt::Key_Down : Qt::Key_Up);
+            QTest::keyClick(choice, before < wanted ? Qt::Key_Down : Qt::Key_Up, Qt::ControlModifier);
             QVERIFY(choice->currentIndex() != before);
         }
     }

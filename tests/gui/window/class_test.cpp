@@ -1,14 +1,19 @@
 #include "tests/gui/window/window_fixture.h"
+#include "ui/document/operation_text.h"
+#include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/needle_beds/needle_beds.h"
+#include "ui/views/step_player/skimming.h"
 #include "ui/views/step_player/step_player.h"
 #include "ui/views/style/language.h"
+#include "ui/window/banner.h"
 
-#include <QAbstractItemView>
-#include <QApplication>
+#include <QProgressDialog>
+
+#include <algorithm>
 
 namespace knittsim::ui {
 
-/// What a teacher finds again: marks of a file, keys wherever the focus is, beds that fit.
+/// What a teacher finds again and a class sees: marks of a file, beds that fit, the needles in the picture.
 class ClassTest : public WindowFixture {
     Q_OBJECT
 
@@ -88,35 +93,101 @@ private slots:
         }
     }
 
-    /// Outside of a class lists are walked with Up, Down, Home and End; all else steps the machine.
-    void listsLeaveSpaceAndTheSidewaysKeysToThePlayer() {
-        openFile("long.k");
-        press(Qt::Key_F3);
-        int tried = 0;
-        for (auto* list : m_window->findChildren<QAbstractItemView*>()) {
-            if (!list->isVisible() || list->focusPolicy() == Qt::NoFocus) {
-                continue;
-            }
-            list->setFocus();
-            if (QApplication::focusWidget() != list) {
-                continue;
-            }
-            ++tried;
-            document().setStep(10);
-            QTest::keyClick(list, Qt::Key_Right);
-            QVERIFY2(document().step() == 11, qPrintable(list->objectName()));
-            QTest::keyClick(list, Qt::Key_Left);
-            QTest::keyClick(list, Qt::Key_Down);
-            QTest::keyClick(list, Qt::Key_Home);
-            QVERIFY2(document().step() == 10, qPrintable(list->objectName()));
-            QTest::keyClick(list, Qt::Key_Space);
-            QVERIFY2(player().isPlaying(), qPrintable(list->objectName()));
-            QTest::keyClick(list, Qt::Key_Space);
+    /// However far the fabric has grown, what hangs on the needles is in the picture.
+    void thePictureFollowsTheNeedlesInClass() {
+        openSample("cable-left");
+        press(Qt::Key_F4);
+        for (const int step : {12, 190, 1100}) {
+            document().setStep(step);
+            QTRY_COMPARE(document().shownStep(), step);
+            QTRY_VERIFY(fabric()->isUpToDate());
+            QTRY_VERIFY2(needlesAreInThePicture(), qPrintable(QString::number(step)));
         }
-        QVERIFY(tried >= 2);
+        const float near = fabric()->cameraState().halfHeight;
+        document().setStep(document().operationCount()); // no needles: all of the fabric
+        QTRY_VERIFY(fabric()->cameraState().halfHeight > 1.5F * near);
+    }
+
+    void whatIsKnownGoesFasterInClass() {
+        openSample("cable-left");
+        press(Qt::Key_F4);
+        player().setSpeed(2.5);
+        QSignalSpy tempo(&player(), &StepPlayer::tempoChanged);
+        document().setStep(150); // in the middle of a course
+        press(Qt::Key_Space);
+        QTRY_VERIFY(!tempo.empty());
+        QCOMPARE(tempo.back().front().toDouble(), kSkimmingSpeed);
+        press(Qt::Key_Space);
+        const auto& operations = document().file()->timeline->program().operations;
+        const auto transfer =
+            std::ranges::find(operations, machine::OperationKind::Xfer, &machine::Operation::kind);
+        document().setStep(static_cast<int>(transfer - operations.begin()));
+        tempo.clear();
+        press(Qt::Key_Space);
+        QTRY_VERIFY(!tempo.empty());
+        QCOMPARE(tempo.front().front().toDouble(), 2.5);
+        press(Qt::Key_Space);
+        press(Qt::Key_F3);
+        document().setStep(150);
+        tempo.clear();
+        press(Qt::Key_Space);
+        QTRY_VERIFY(!tempo.empty());
+        QCOMPARE(tempo.front().front().toDouble(), 2.5);
+        press(Qt::Key_Space);
+    }
+
+    void aFirstLoopIsSaidToComeThroughNothing() {
+        openSample("plain");
+        const machine::Timeline& timeline = *document().file()->timeline;
+        const auto& operations = timeline.program().operations;
+        const auto sentenceOf = [&](machine::OperationKind kind) {
+            const auto found = std::ranges::find(operations, kind, &machine::Operation::kind);
+            return document::operationSentence(timeline, static_cast<int>(found - operations.begin()));
+        };
+        QCOMPARE(
+            sentenceOf(machine::OperationKind::Tuck),
+            QStringLiteral("Tuck: front needle 28 is empty and takes yarn of carrier 1 as its first loop."));
+        QCOMPARE(sentenceOf(machine::OperationKind::Knit),
+                 QStringLiteral("Knit: front needle 28 draws yarn of carrier 1 through its loop."));
+    }
+
+    void anySpeedIsTheNearestThatCanBeChosen() {
+        player().setSpeed(20);
+        QCOMPARE(player().speed(), 25.0);
+        player().setSpeed(0.001);
+        QCOMPARE(player().speed(), Playback::speeds().front());
+    }
+
+    void anAnimationThatWouldBeTooLongIsRefused() {
+        QByteArray text = ";!knitout-2\n;;Carriers: 1\nin 1\nknit + f1 1\n";
+        for (int i = 0; i < 2100; ++i) {
+            text += "miss + f1 1\n";
+        }
+        write("film.k", text);
+        openFile("film.k");
+        document().setStep(document().operationCount());
+        marks().setLoopFrom(0);
+        marks().setLoopTo(document().operationCount());
+        const QString path = m_folder.filePath("film.webp");
+        m_window->record(path);
+        QVERIFY2(child<Banner>("banner")->text().contains("2000"),
+                 qPrintable(child<Banner>("banner")->text()));
+        QVERIFY(!m_window->findChild<QProgressDialog*>());
+        QVERIFY(!QFile::exists(path));
     }
 
 private:
+    bool needlesAreInThePicture() {
+        const auto& hooks = document().needleHooks();
+        const render::CameraState camera = fabric()->cameraState();
+        const float halfWidth = camera.halfHeight * static_cast<float>(fabric()->width()) /
+                                static_cast<float>(fabric()->height());
+        return !hooks.empty() && std::ranges::all_of(hooks, [&](const fabric::NeedleHook& hook) {
+            const Vec3f way = hook.place - camera.target;
+            return std::abs(way.x()) < halfWidth && std::abs(way.y()) < camera.halfHeight;
+        });
+    }
+
     StepPlayer& player() { return *m_window->findChild<StepPlayer*>(); }
     document::StepMarks& marks() { return player().marks(); }
 

@@ -106,49 +106,6 @@ private slots:
         QVERIFY(step == 1 || operations.at(static_cast<std::size_t>(step) - 2).line < 40);
     }
 
-    /// In class the keys of the player work wherever the focus is, but for text.
-    void keysStepWhereverTheFocusIs() {
-        press(Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
-        m_window->findChild<QAction*>("actionNeedleBeds")->setChecked(true);
-        for (const char* dock : {"sourceDock", "gridDock", "problemDock", "yarnDock", "bedDock"}) {
-            m_window->findChild<QWidget*>(dock)->show();
-        }
-        int tried = 0;
-        for (auto* widget : m_window->findChildren<QWidget*>()) {
-            if (widget->focusPolicy() == Qt::NoFocus || !widget->isVisible() || !widget->isEnabled() ||
-                widget->testAttribute(Qt::WA_InputMethodEnabled)) {
-                continue;
-            }
-            widget->setFocus();
-            if (QApplication::focusWidget() != widget) {
-                continue;
-            }
-            ++tried;
-            const QByteArray name = widget->metaObject()->className() + (' ' + widget->objectName().toUtf8());
-            QTest::keyClick(widget, Qt::Key_Home);
-            QVERIFY2(document().step() == 0, name);
-            QTest::keyClick(widget, Qt::Key_Right);
-            QVERIFY2(document().step() == 1, name);
-            QTest::keyClick(widget, Qt::Key_Left);
-            QVERIFY2(document().step() == 0, name);
-            QTest::keyClick(widget, Qt::Key_Up);
-            QVERIFY2(document().step() == document().file()->courseEnds.front(), name);
-            QTest::keyClick(widget, Qt::Key_Down);
-            QVERIFY2(document().step() == 0, name);
-            QTest::keyClick(widget, Qt::Key_Space);
-            QVERIFY2(player().isPlaying(), name);
-            QTest::keyClick(widget, Qt::Key_Space);
-            QVERIFY2(!player().isPlaying(), name);
-            QTest::keyClick(widget, Qt::Key_End);
-            QVERIFY2(document().step() == document().operationCount(), name);
-        }
-        QVERIFY2(tried > 10, qPrintable(QString::number(tried)));
-        auto* search = m_window->findChild<QLineEdit*>();
-        search->setFocus();
-        QTest::keyClicks(search, "a b");
-        QCOMPARE(search->text(), QStringLiteral("a b"));
-    }
-
     void stepsThereAndBackGiveTheSameState_data() {
         QTest::addColumn<QString>("sample");
         for (const char* sample : {"transfer-demo", "cable-left", "lace", "float-jacquard", "tube"}) {

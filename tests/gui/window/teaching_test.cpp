@@ -90,6 +90,13 @@ private slots:
         QVERIFY(child<Banner>("banner")->isVisible());
         QVERIFY2(child<Banner>("banner")->text().contains("summary"),
                  qPrintable(child<Banner>("banner")->text()));
+        m_window->openLesson(write("other.json",
+                                   "{\n \"title\": {\"en\": \"Mine\"},\n \"summary\": {\"en\": \"S\"},\n"
+                                   " \"sample\": \"nonsense\",\n \"stops\": [{\"at\": {\"end\": true},"
+                                   " \"title\": {\"en\": \"A\"}, \"text\": {\"en\": \"B\"},"
+                                   " \"look\": \"beds\"}]}"));
+        QVERIFY2(child<Banner>("banner")->text().contains("line 4: 'sample' is \"nonsense\""),
+                 qPrintable(child<Banner>("banner")->text()));
         m_window->openLesson(good);
         QTRY_VERIFY(panel().running());
         QCOMPARE(panel().stopSteps().at(0), 3);

@@ -155,16 +155,6 @@ private slots:
         QCOMPARE(document().step(), document().operationCount());
     }
 
-    void spacePressesAFocusedButtonInstead() {
-        openSample("plain");
-        auto* button = child<QToolButton>("stepBack");
-        button->setFocus();
-        const int step = document().step();
-        QTest::keyClick(button, Qt::Key_Space);
-        QCOMPARE(document().step(), step - 1);
-        QVERIFY(!child<StepPlayer>("stepPlayer")->isPlaying());
-    }
-
     void aYarnGoesOntoACarrierAndBack() {
         openSample("plain");
         settle();
@@ -201,7 +191,7 @@ private slots:
         auto* source = child<SourceView>("sourceView");
         child<QDockWidget>("sourceDock")->raise();
         source->setFocus();
-        QTest::keyClick(source, Qt::Key_Down);
+        QTest::keyClick(source, Qt::Key_Down, Qt::ControlModifier);
         QCOMPARE(document().selection().loop, 34);
     }
 

@@ -10,6 +10,7 @@ namespace {
 
 using test::build;
 using test::pass;
+using testing::ElementsAre;
 
 /// Ordered pairs (front loop, rear loop) of all crossings of legs.
 std::multiset<std::pair<LoopIndex, LoopIndex>> loopPairs(const Fabric& fabric) {
@@ -57,6 +58,51 @@ TEST(Crossings, MirroredCableHasMirroredCrossings) {
     for (const Crossing& crossing : left.crossings) {
         EXPECT_EQ(crossing.sign, -1);
     }
+}
+
+/// Pieces of `other` that a leg of `loop` crosses, along the yarn.
+std::vector<Piece> crossedBy(const Fabric& fabric, LoopIndex loop, Piece leg, LoopIndex other) {
+    std::vector<Piece> pieces;
+    for (const BondingPoint& point : fabric.points) {
+        if (point.role == Role::Crossing && point.loop == loop && point.piece == leg) {
+            const Crossing& crossing = fabric.crossings[static_cast<std::size_t>(point.crossing)];
+            const PointIndex across = point.front > 0 ? crossing.under : crossing.over;
+            const BondingPoint& crossed = fabric.points[static_cast<std::size_t>(across)];
+            if (crossed.loop == other) {
+                pieces.push_back(crossed.piece);
+            }
+        }
+    }
+    return pieces;
+}
+
+// The yarn of a row to the right goes up the left legs and down the right ones. The loop that goes to the
+// right meets the left leg of the other one first, on its way up.
+TEST(Crossings, LegsCrossInTheOrderInWhichTheyMeet) {
+    const Fabric fabric = build(cable(2));
+    for (const LoopIndex over : {0, 1}) {
+        for (const LoopIndex under : {2, 3}) {
+            EXPECT_THAT(crossedBy(fabric, over, Piece::LeftLeg, under),
+                        ElementsAre(Piece::LeftLeg, Piece::RightLeg));
+            EXPECT_THAT(crossedBy(fabric, over, Piece::RightLeg, under),
+                        ElementsAre(Piece::RightLeg, Piece::LeftLeg));
+            EXPECT_THAT(crossedBy(fabric, under, Piece::LeftLeg, over),
+                        ElementsAre(Piece::RightLeg, Piece::LeftLeg));
+            EXPECT_THAT(crossedBy(fabric, under, Piece::RightLeg, over),
+                        ElementsAre(Piece::LeftLeg, Piece::RightLeg));
+        }
+    }
+}
+
+// A loop that came to face another one from the left, and the loop drawn through it: to the right it passes,
+// to the left it does not.
+TEST(Crossings, ALoopDrawnThroughOneThatFacesAnotherStandsOnTheSameSide) {
+    const std::string facing = "in 1\nin 2\nknit + f2 1\nknit + b0 2\nrack 2\nknit + b0 2\n";
+    const auto passed = [&](const std::string& then) {
+        return loopPairs(build(facing + then)).count({0, 2});
+    };
+    EXPECT_EQ(passed("rack 3\n"), 4U);
+    EXPECT_EQ(passed("rack 1\n"), 0U);
 }
 
 TEST(Crossings, TransferThereAndBackLeavesNone) {

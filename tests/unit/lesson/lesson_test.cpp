@@ -7,6 +7,7 @@
 
 #include <fstream>
 #include <functional>
+#include <map>
 
 namespace knittsim::lesson {
 namespace {
@@ -74,6 +75,29 @@ TEST(Lesson, WhatIsWrongIsNamed) {
     }
     EXPECT_EQ(parseLesson("{", "x.json").diagnostics().front().id, "KS0003");
     EXPECT_EQ(readLesson("/nowhere/x.json").diagnostics().front().id, "KS0001");
+}
+
+TEST(Lesson, WhatIsWrongHasItsLine) {
+    const auto broken = parseLesson(R"({
+        "title": {"en": "Title"},
+        "summary": {"en": "Summary", "german": "x"},
+        "sample": "plain",
+        "stops": [
+            {"at": {"end": true}, "title": {"en": "One"}, "text": {"en": "Text"}, "look": "beds"},
+            {"at": {"kind": "purl"},
+             "title": {"en": "Two"},
+             "look": "beds"}
+        ]
+    })",
+                                    "mine.json");
+    ASSERT_FALSE(broken);
+    std::map<std::string, int> lines;
+    for (const Diagnostic& problem : broken.diagnostics()) {
+        EXPECT_EQ(problem.place.file, "mine.json");
+        lines[problem.arguments.front()] = problem.place.line;
+    }
+    EXPECT_EQ(lines, (std::map<std::string, int>{
+                         {"summary.german", 3}, {"stops.1.at.kind", 7}, {"stops.1.text", 7}}));
 }
 
 TEST(Lesson, APlaceIsTheStepAfterItsOperation) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace knittsim::machine {
 namespace {
@@ -244,15 +245,22 @@ TEST(BedMotion, TheCarriageGoesWithTheOperations) {
     EXPECT_FALSE(workingNeedle(timeline.program(), 0));
 }
 
-TEST(BedMotion, SlidersAreThereWhileTheyHoldLoops) {
+TEST(BedMotion, SlidersAreSeenWhereTheProgramUsesThem) {
     const Timeline timeline = test::timeline(std::string(kCourse) + "xfer f2 bs2\nxfer bs2 f2\n");
-    const auto sliders = [](const BedPicture& picture) {
-        return std::ranges::count_if(picture.needles,
-                                     [](const SeenNeedle& needle) { return isSlider(needle.needle.bed); });
-    };
-    EXPECT_EQ(sliders(BedMotion(timeline, 4).at(0, kAll)), 0);
-    EXPECT_EQ(sliders(BedMotion(timeline, 4).at(1, kAll)), 1);
-    EXPECT_EQ(sliders(BedMotion(timeline, 5).at(1, kAll)), 0);
+    for (const auto& [operation, phase, loops] :
+         {std::tuple{0, 0.0, 0U}, {4, 0.0, 0U}, {4, 1.0, 1U}, {5, 0.0, 1U}, {5, 1.0, 0U}}) {
+        const BedPicture picture = BedMotion(timeline, operation).at(phase, kAll);
+        const auto slider = std::ranges::find_if(
+            picture.needles, [](const SeenNeedle& needle) { return isSlider(needle.needle.bed); });
+        ASSERT_NE(slider, picture.needles.end());
+        EXPECT_EQ(slider->needle, (Needle{Bed::RearSlider, 2}));
+        EXPECT_EQ(slider->loops.size(), loops) << operation << ' ' << phase;
+        EXPECT_EQ(slider + 1, picture.needles.end());
+    }
+    const Timeline without = test::timeline(std::string(kCourse) + "xfer f2 b2\n");
+    for (const SeenNeedle& needle : BedMotion(without, 4).at(0.5, kAll).needles) {
+        EXPECT_FALSE(isSlider(needle.needle.bed));
+    }
 }
 
 TEST(BedMotion, OutsideTheProgramNothingMoves) {

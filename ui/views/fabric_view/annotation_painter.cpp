@@ -222,7 +222,9 @@ void paintProblems(QPainter& painter, const CanvasContent& content, const Annota
 
 void paintNeedles(QPainter& painter, const CanvasContent& content, const Annotations& annotations,
                   const OverlayInk& ink) {
-    constexpr double kLabelPixels = 34;
+    const QFontMetricsF metrics(painter.font());
+    const double apart = metrics.horizontalAdvance(QStringLiteral("b888")) + 4;
+    const double line = metrics.height() + 3;
     std::vector<const fabric::NeedleHook*> order;
     for (const fabric::NeedleHook& hook : annotations.needles) {
         order.push_back(&hook);
@@ -250,10 +252,10 @@ void paintNeedles(QPainter& painter, const CanvasContent& content, const Annotat
             painter.drawPath(path);
         }
         double& last = labelled[front ? 0 : 1];
-        if (hook->works || std::abs(end.x() - last) > kLabelPixels) {
+        if (hook->works || std::abs(end.x() - last) > apart) {
             last = end.x();
             // Rear needles are named in a line above the front ones; the upper edge of the picture cuts none.
-            const double y = std::max(end.y() - (front ? 8 : 25), front ? 26.0 : 9.0);
+            const double y = std::max(end.y() - (front ? 0.5 : 1.5) * line, (front ? 1.5 : 0.5) * line);
             paintLabel(painter, {end.x(), y}, QString::fromStdString(machine::toString(hook->needle)),
                        hook->works ? ink.wale : ink.ink, ink.ground);
         }

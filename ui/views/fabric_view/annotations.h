@@ -34,6 +34,7 @@ struct Annotations {
     };
     std::vector<Mark> problems;
     std::vector<fabric::NeedleHook> needles; ///< from which loops hang
+    bool measures = true;                    ///< dimensions, scale and axes may be painted
     std::vector<Vec3f> tape;                 ///< ends that are set, mm; none, one or two
     std::optional<Vec3f> tapeEnd;            ///< where the second one would be set now
     Photograph photograph;

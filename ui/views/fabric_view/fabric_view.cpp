@@ -10,6 +10,12 @@
 
 namespace knittsim::ui {
 
+namespace {
+
+constexpr double kClassLetters = 1.7;
+
+} // namespace
+
 FabricView::FabricView(QWidget* parent) : QWidget(parent), m(std::make_unique<Implementation>(*this)) {
     setObjectName(QStringLiteral("fabricView"));
     setMouseTracking(true);
@@ -169,6 +175,20 @@ void FabricView::fit() {
 
 void FabricView::setFollowing(bool on) {
     m->following = on;
+}
+
+void FabricView::setForClass(bool on) {
+    if (on == m->forClass) {
+        return;
+    }
+    m->forClass = on;
+    m->annotations.measures = !on;
+    QFont letters = font();
+    letters.setPointSizeF((on ? kClassLetters : 1) * letters.pointSizeF());
+    m->overlay->setFont(letters);
+    if (m->followFit) {
+        fit();
+    }
 }
 
 void FabricView::lookFront() {

@@ -72,6 +72,9 @@ public:
 
     void fit();
     void setFollowing(bool on); ///< keeps a changing fabric fitted until the person moves the camera
+    /// For a class: fit() and following show the loops on the needles and the courses below them, names are
+    /// large, measures are left out.
+    void setForClass(bool on);
     void lookFront();
     void lookBack();
     void lookTop();

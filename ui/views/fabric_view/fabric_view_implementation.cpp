@@ -102,11 +102,13 @@ void FabricView::Implementation::takePicture() {
     showParts();
     content.camera.setScene(content.scene->bounds);
     placeMarks();
-    // While it is pulled the picture stands still: the mouse says where to.
-    const bool pulling = gesture == Gesture::Pull;
-    if ((fitPending || (following && followFit && !pulling)) && !content.scene->bounds.empty()) {
+    if (!content.scene->bounds.empty()) {
+        if (fitPending) {
+            fitCamera();
+        } else if (following && followFit && gesture != Gesture::Pull) {
+            followScene(); // while it is pulled the picture stands still: the mouse says where to
+        }
         fitPending = false;
-        fitCamera();
     }
     changed();
     emit view.sceneChanged();
@@ -121,16 +123,56 @@ void FabricView::Implementation::changed() {
     canvas->refresh();
 }
 
-void FabricView::Implementation::fitCamera() {
+geometry::Bounds FabricView::Implementation::fitBox() const {
     geometry::Bounds box = content.scene->bounds;
     const Vec3f centre = box.centre();
     box.low = box.low.cwiseMin(centre - 0.5F * fitRoom);
     box.high = box.high.cwiseMax(centre + 0.5F * fitRoom);
+    return forClass && !annotations.needles.empty() ? needleBox() : box;
+}
+
+/// The needles with loops, and as many courses below them as the shape of the view has room for.
+geometry::Bounds FabricView::Implementation::needleBox() const {
+    constexpr float kLeastWidth = 12; // mm
+    constexpr float kTall = 1.5F;     // courses matter more than a full width
+    geometry::Bounds box;
+    for (const fabric::NeedleHook& hook : annotations.needles) {
+        box.add(hook.place);
+        box.add(hook.place + hook.shaft);
+    }
+    const float wider = 0.5F * std::max(0.0F, kLeastWidth - box.size().x());
+    box.low.x() -= wider;
+    box.high.x() += wider;
+    const float shape = static_cast<float>(view.height()) / static_cast<float>(std::max(1, view.width()));
+    const float room = box.high.y() - kTall * box.size().x() * shape;
+    box.low.y() = std::min(box.low.y(), std::max(room, content.scene->bounds.low.y()));
+    return box;
+}
+
+void FabricView::Implementation::fit(render::Camera& camera) const {
     // The badge has its place above the fabric, dimensions and scale below it.
     constexpr int kLeastHeight = 300;
     const bool room = view.height() >= kLeastHeight;
-    content.camera.fit(box, room ? kAbove : 0, room && annotations.dimensions ? kBelow : 0);
+    camera.fit(fitBox(), room ? kAbove : 0, room && annotations.dimensions ? kBelow : 0);
+}
+
+void FabricView::Implementation::fitCamera() {
+    fit(content.camera);
     emit view.cameraMoved();
+}
+
+/// In class the picture stays where it is while what is worked at stays in it.
+void FabricView::Implementation::followScene() {
+    render::Camera fitted = content.camera;
+    fit(fitted);
+    const render::CameraState& now = content.camera.state();
+    const render::CameraState& then = fitted.state();
+    const float nearer = now.halfHeight / then.halfHeight;
+    const bool same =
+        (now.target - then.target).norm() < 0.2F * then.halfHeight && nearer > 0.95F && nearer < 1.4F;
+    if (!(forClass && same)) {
+        fitCamera();
+    }
 }
 
 void FabricView::Implementation::moveCamera(const std::function<void(render::Camera&)>& move) {

@@ -28,7 +28,7 @@ struct FabricView::Implementation {
     std::vector<int> pins;                                ///< bonding points of `fabric`
     std::shared_ptr<const render::SceneFrame> wholeScene; ///< of which content.scene may be a part
     Annotations annotations;
-    bool measured = false; ///< size and lattice of the annotations are those of `places`
+    bool measured = false;               ///< size and lattice of the annotations are those of `places`
     std::array<QPointF, 2> photoPoints;  ///< pixels, while a photograph is aligned
     std::array<QPointF, 2> fabricPoints; ///< mm
     std::vector<LoopProblem> problems;   ///< of `fabric`
@@ -43,6 +43,7 @@ struct FabricView::Implementation {
     QString glReason;
     bool fitPending = true;        ///< fit as soon as there is a picture
     bool following = false;        ///< see setFollowing()
+    bool forClass = false;         ///< see setForClass()
     bool followFit = true;         ///< the person has not moved the camera since the last fit
     Vec3f fitRoom = Vec3f::Zero(); ///< see setFitRoom()
     bool dragMode = false;
@@ -63,7 +64,11 @@ struct FabricView::Implementation {
     void request();
     void takePicture();
     void changed();
+    geometry::Bounds fitBox() const;
+    geometry::Bounds needleBox() const;
+    void fit(render::Camera& camera) const;
     void fitCamera();
+    void followScene();
     void moveCamera(const std::function<void(render::Camera&)>& move);
     void look(render::ViewSide side);
     std::optional<geometry::Pick> pickAt(QPointF where) const;

@@ -97,7 +97,7 @@ void Overlay::paintEvent(QPaintEvent*) {
         if (m_annotations.guides) {
             paintGuides(painter, m_content, m_annotations, colours);
         }
-        if (m_annotations.dimensions) {
+        if (m_annotations.dimensions && m_annotations.measures) {
             paintDimensions(painter, size(), m_content, m_annotations, colours);
         }
         paintNeedles(painter, m_content, m_annotations, colours);
@@ -115,8 +115,10 @@ void Overlay::paintEvent(QPaintEvent*) {
         if (m_content.colourBy != render::ColourBy::Yarn) {
             paintColours(painter, below);
         }
-        paintScale(painter);
-        paintAxes(painter);
+        if (m_annotations.measures) {
+            paintScale(painter);
+            paintAxes(painter);
+        }
     }
     paintMessage(painter);
 }
@@ -137,9 +139,10 @@ int Overlay::paintWords(QPainter& painter) const {
     constexpr int kGap = 6;
     constexpr int kSample = 24;
     const int height = fontMetrics().height() + 8;
-    int top = kMargin;
     std::vector<Word> all = words();
     all.insert(all.begin(), {sideText()});
+    const int needed = static_cast<int>(all.size()) * (height + kGap);
+    int top = m_annotations.measures ? kMargin : this->height() - needed; // a class sees needles above
     for (const Word& word : all) {
         const int sample = word.sample.isValid() ? kSample : 0;
         const QRect box(kMargin, top, fontMetrics().horizontalAdvance(word.text) + 20 + sample, height);
@@ -312,7 +315,7 @@ void Overlay::paintScale(QPainter& painter) const {
     }
     QRectF label(QPointF(), QSizeF(fontMetrics().size(Qt::TextSingleLine, text)));
     label.moveCenter({right - pixels / 2, y - 8 - fontMetrics().height() / 2.0});
-    label.moveRight(std::min(label.right(), right)); // it may be wider than the bar
+    label.moveRight(std::min(label.right(), right)); // a short bar stands at the rim
     paintLabel(painter, label, text);
 }
 

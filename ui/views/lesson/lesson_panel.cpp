@@ -1,5 +1,7 @@
 #include "ui/views/lesson/lesson_panel.h"
 
+#include "core/base/file.h"
+#include "core/base/json_places.h"
 #include "core/base/resources.h"
 #include "core/pattern/samples.h"
 #include "ui/views/style/icons.h"
@@ -14,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace knittsim::ui {
@@ -34,6 +37,23 @@ QToolButton* makeButton(QWidget* parent, const char* name, const char* iconName,
     button->setToolTip(help);
     button->setAccessibleName(text);
     return button;
+}
+
+/// What is wrong with the name of a sample, with its line.
+Diagnostics unknownSample(const lesson::Lesson& lesson, const std::string& path) {
+    std::string known;
+    for (const pattern::Sample& sample : pattern::samples()) {
+        known += (known.empty() ? "one of " : ", ") + std::string(sample.id);
+        if (lesson.sample.empty() || lesson.sample == sample.id) {
+            return {};
+        }
+    }
+    Diagnostics problems{
+        {"KS0004", Severity::Error, Place{.file = path}, {"sample", '"' + lesson.sample + '"', known}}};
+    if (const auto text = readFile(path)) {
+        tellLines(text.value(), problems);
+    }
+    return problems;
 }
 
 } // namespace
@@ -61,11 +81,6 @@ LessonPanel::LessonPanel(document::Document& document, QWidget* parent)
     m_text->setWordWrap(true);
     m_text->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    QFont large = font();
-    large.setPointSizeF(1.5 * large.pointSizeF());
-    m_text->setFont(large);
-    large.setBold(true);
-    m_title->setFont(large);
     auto* area = new QScrollArea(this);
     area->setWidget(m_text);
     area->setWidgetResizable(true);
@@ -106,6 +121,22 @@ LessonPanel::LessonPanel(document::Document& document, QWidget* parent)
     });
     listLessons();
     showText();
+    scale();
+}
+
+/// Letters that are read from the back of the room.
+void LessonPanel::scale() {
+    constexpr int kLinesOfWindow = 40;
+    QFont large = font();
+    large.setPixelSize(std::max(window()->height() / kLinesOfWindow, 3 * fontMetrics().ascent() / 2));
+    m_text->setFont(large);
+    large.setBold(true);
+    m_title->setFont(large);
+}
+
+void LessonPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    scale();
 }
 
 void LessonPanel::listLessons() {
@@ -139,6 +170,9 @@ Diagnostics LessonPanel::openFile(const QString& path) {
     auto lesson = lesson::readLesson(path.toStdString());
     if (!lesson) {
         return lesson.diagnostics();
+    }
+    if (Diagnostics problems = unknownSample(lesson.value(), path.toStdString()); !problems.empty()) {
+        return problems;
     }
     std::erase_if(m_lessons, [&](const lesson::Lesson& old) { return old.id == lesson->id; });
     m_lessons.push_back(std::move(lesson).value());

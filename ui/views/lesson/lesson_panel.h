@@ -46,6 +46,9 @@ public:
 
     QSize sizeHint() const override { return {320, 300}; }
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 signals:
     void sampleWanted(const QString& id);
     void programWanted(const QString& path);
@@ -60,6 +63,7 @@ private:
     void listLessons();
     void showStop(int stop);
     void showText();
+    void scale();
 
     document::Document& m_document;
     std::vector<lesson::Lesson> m_lessons;

@@ -24,11 +24,11 @@ TeachingBoard::TeachingBoard(document::Document& document, QWidget* parent)
     m_sentence->setObjectName(QStringLiteral("boardSentence"));
     m_sentence->setToolTip(tr("The operation that is shown"));
     m_sentence->setWordWrap(true);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(16, 6, 16, 6);
-    row->setSpacing(24);
-    row->addWidget(m_course);
-    row->addWidget(m_sentence, 1);
+    m_row = new QHBoxLayout(this);
+    m_row->setContentsMargins(16, 6, 16, 6);
+    m_row->setSpacing(24);
+    m_row->addWidget(m_course);
+    m_row->addWidget(m_sentence, 1);
     connect(&m_document, &document::Document::stepChanged, this, &TeachingBoard::takeStep);
     connect(&m_document, &document::Document::fileChanged, this, &TeachingBoard::takeStep);
     scale();
@@ -55,7 +55,7 @@ void TeachingBoard::takeStep() {
     const document::CourseScale scale(file->courseEnds, m_document.operationCount());
     m_course->setText(tr("Row %1 of %2").arg(std::min(scale.partOf(step), courses)).arg(courses));
     m_sentence->setText(step == 0 ? tr("The empty machine.")
-                                  : document::operationSentence(file->timeline->program(), step - 1));
+                                  : document::operationSentence(*file->timeline, step - 1));
 }
 
 /// Letters as high as a part of the window: what the last row of a class reads.
@@ -67,6 +67,10 @@ void TeachingBoard::scale() {
     m_course->setFont(large);
     large.setPixelSize(high / 27);
     m_sentence->setFont(large);
+    // Beside a chart there is room for the sentence below the course only.
+    const bool narrow = width() < 22 * large.pixelSize();
+    m_row->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    m_row->setSpacing(narrow ? 2 : 24);
     const QFontMetrics metrics(large);
     m_sentence->setMinimumHeight(2 * metrics.lineSpacing() + 4); // so that nothing jumps
     const bool dark = isDark(window()->palette());

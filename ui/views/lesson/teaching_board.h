@@ -4,6 +4,7 @@
 
 #include <QWidget>
 
+class QHBoxLayout;
 class QLabel;
 
 namespace knittsim::ui {
@@ -27,6 +28,7 @@ private:
     void scale();
 
     document::Document& m_document;
+    QHBoxLayout* m_row = nullptr;
     QLabel* m_course = nullptr;
     QLabel* m_sentence = nullptr;
 };

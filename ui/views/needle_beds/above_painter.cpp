@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kLeastPitchWithLoops = 7; ///< below, a loop is a dot
 constexpr double kLeastPitchWithHooks = 12;
+constexpr double kSliderRest = 0.45; ///< of a bed's height, from the verge
 
 /// Numbers stand so far apart that they do not touch.
 int numberStep(double pitch, double width) {
@@ -44,14 +45,15 @@ AbovePainter::AbovePainter(QPainter& painter, const BedLayout& layout, const Bed
     placeFlight();
 }
 
+/// A slider at rest lies on its bed, behind the hooks.
 double AbovePainter::tipOf(const SeenNeedle& needle) const {
-    return m_layout.stroke() * needle.height;
+    const double back = machine::isSlider(needle.needle.bed) ? kSliderRest * m_layout.bedHeight() : 0;
+    return m_layout.stroke() * needle.height - back * (1 - needle.height);
 }
 
 void AbovePainter::placeLoops() {
     const double width = m_layout.yarnWidth();
     for (const SeenNeedle& needle : m_scene.picture.needles) {
-        const double back = machine::isSlider(needle.needle.bed) ? 0.5 * m_layout.bedHeight() : 0;
         double stacked = 0;
         for (const machine::SeenLoop& loop : needle.loops) {
             LoopForm form;
@@ -59,7 +61,7 @@ void AbovePainter::placeLoops() {
             form.pitches = needle.pitches;
             form.carrier = loop.carrier;
             form.drawn = loop.drawn;
-            form.crossing = tipOf(needle) - m_layout.hook() - m_layout.stroke() * loop.slide - back + stacked;
+            form.crossing = tipOf(needle) - m_layout.hook() - m_layout.stroke() * loop.slide + stacked;
             if (loop.place == LoopPlace::KnockedOver) {
                 form.crossing = m_layout.hook();
             }
@@ -106,6 +108,11 @@ void AbovePainter::paint() {
     for (const SeenNeedle& needle : m_scene.picture.needles) {
         if (!machine::isSlider(needle.needle.bed)) {
             paintNeedle(needle);
+        }
+    }
+    for (const SeenNeedle& needle : m_scene.picture.needles) {
+        if (machine::isSlider(needle.needle.bed)) {
+            paintSlider(needle);
         }
     }
     paintLinks();
@@ -192,6 +199,24 @@ void AbovePainter::paintNeedle(const SeenNeedle& needle) {
     m_painter.setPen(QPen(works ? m_colours.busyNeedle : m_colours.needle, works ? width + 1 : width,
                           Qt::SolidLine, Qt::RoundCap));
     m_painter.drawLine(end, tip);
+}
+
+/// A blade on both sides of its needle.
+void AbovePainter::paintSlider(const SeenNeedle& slider) {
+    if (m_layout.pitch < kLeastPitchWithLoops) {
+        return;
+    }
+    const bool works = m_scene.works(slider.needle);
+    const double half = 0.17 * m_layout.pitch;
+    const QPointF tip = m_layout.at(slider.needle.bed, slider.pitches, tipOf(slider));
+    const QPointF end = m_layout.at(slider.needle.bed, slider.pitches, -m_layout.bedHeight());
+    QPainterPath blade(end - QPointF(half, 0));
+    blade.lineTo(tip - QPointF(half, 0));
+    blade.quadTo(tip + QPointF(0, tip.y() < end.y() ? -half : half), tip + QPointF(half, 0));
+    blade.lineTo(end + QPointF(half, 0));
+    m_painter.setBrush(Qt::NoBrush);
+    m_painter.setPen(QPen(works ? m_colours.accent : m_colours.latch, works ? 2.2 : 1.2));
+    m_painter.drawPath(blade);
 }
 
 /// The hook bends over the yarn that lies in it; the latch turns about its pivot.
@@ -354,7 +379,9 @@ void AbovePainter::paintNumbers(Bed bed) {
     const auto paintNumber = [&](const SeenNeedle& needle, bool works) {
         const QString text = QString::number(needle.needle.index);
         const QRectF place = box(needle, text);
-        if (std::ranges::any_of(taken, [&](const QRectF& t) { return t.intersects(place); })) {
+        const bool cut = place.left() < m_layout.area.left() || place.right() > m_layout.area.right();
+        if ((cut && !works) ||
+            std::ranges::any_of(taken, [&](const QRectF& t) { return t.intersects(place); })) {
             return;
         }
         if (works) {

@@ -42,6 +42,7 @@ private:
     void paintCounts();
     void paintCarriers();
     void paintCarrier(const machine::SeenCarrier& carrier);
+    void paintSlider(const machine::SeenNeedle& slider);
     double tipOf(const machine::SeenNeedle& needle) const;
     double railY(int rail) const;
     QPointF footOf(const machine::YarnEnd& end, bool leaving) const;

@@ -24,12 +24,13 @@ namespace {
 
 constexpr int kTickMs = 16;
 constexpr double kStepMs = 900;  ///< a step by hand takes at least so long
-constexpr double kReadable = 16; ///< pixels a pitch that following keeps to
+constexpr double kReadable = 12; ///< pixels a pitch that following keeps to
 constexpr double kSmallest = 2;  ///< pixels a pitch
 constexpr double kLargest = 90;
 constexpr double kFitted = 46;
 constexpr double kBeside = 5; ///< pitches beside the fabric, where carriers wait
 constexpr double kZoomStep = 1.2;
+constexpr double kAround = 1.6;            ///< pitches that are seen from the side
 constexpr double kLeastWidthForBoth = 560; ///< side by side; else one above the other
 constexpr double kLeastHeightForBoth = 380;
 
@@ -218,8 +219,9 @@ void NeedleBeds::paintEvent(QPaintEvent*) {
     painter.restore();
     paintNames(painter, above.rack);
     if (const auto place = workingPlace(); place && !m_side.isEmpty()) {
-        const machine::BedPicture near = m_motion->at(m_clock.phase(), {*place - 0.6, *place + 0.6});
-        const auto before = m_motion->at(0, {*place - 0.6, *place + 0.6}).needles;
+        const machine::BedWindow around{*place - kAround, *place + kAround};
+        const machine::BedPicture near = m_motion->at(m_clock.phase(), around);
+        const auto before = m_motion->at(0, around).needles;
         const auto worked = std::ranges::find(before, operation.needle, &machine::SeenNeedle::needle);
         const bool holdsLoop = worked != before.end() && !worked->loops.empty();
         SidePainter(painter, m_side, scene(near), *place)

@@ -66,11 +66,17 @@ QString transferText(bool split, double t) {
         return split && t < kSinks ? tr("The other needle enters the loop, the yarn is laid")
                                    : tr("The other needle enters the loop");
     }
-    return t < kHandedOver ? tr("The first needle sinks and leaves the loop to the other")
-                           : tr("The loop hangs on the other bed");
+    if (t < kHandedOver) {
+        return tr("The first needle sinks and leaves the loop to the other");
+    }
+    return split ? tr("The old loop hangs on the other bed, the new one on its own")
+                 : tr("The loop hangs on the other bed");
 }
 
 QString dropText(double t) {
+    if (t < kArrived) {
+        return tr("The carriage comes");
+    }
     if (t < kSinks) {
         return tr("The needle rises and gets no yarn");
     }

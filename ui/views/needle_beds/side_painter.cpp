@@ -22,7 +22,9 @@ namespace {
 constexpr double kSlope = 0.7071; ///< the beds stand at a right angle
 constexpr double kOpenLatch = 168 * std::numbers::pi / 180;
 constexpr double kClosedLatch = 16 * std::numbers::pi / 180;
-constexpr double kNear = 1.3; ///< pitches within which a carrier is seen in the section
+constexpr double kSliderRest = 0.14;  ///< of the size, behind the hook
+constexpr double kSliderRise = 0.045; ///< of the size, above the needle
+constexpr double kNear = 1.3;         ///< pitches within which a carrier is seen in the section
 
 } // namespace
 
@@ -53,8 +55,10 @@ const SeenNeedle* SidePainter::nearest(Bed bed) const {
     return best;
 }
 
+/// A slider at rest lies on its needle, behind the hook.
 double SidePainter::tipOf(const SeenNeedle& needle) const {
-    return m_hook + m_stroke * needle.height;
+    const double back = machine::isSlider(needle.needle.bed) ? kSliderRest * m_size : 0;
+    return m_hook + m_stroke * needle.height - back * (1 - needle.height);
 }
 
 QPointF SidePainter::loopCentre(const Axis& axis, const SeenNeedle& needle, const SeenLoop& loop,
@@ -62,7 +66,8 @@ QPointF SidePainter::loopCentre(const Axis& axis, const SeenNeedle& needle, cons
     if (loop.place == LoopPlace::KnockedOver) {
         return 0.45 * m_fabric + 0.55 * axis.at(0, 0);
     }
-    return axis.at(tipOf(needle) - m_hook - m_stroke * loop.slide - stacked, 0.006 * m_size);
+    const double rise = machine::isSlider(needle.needle.bed) ? kSliderRise : 0.006;
+    return axis.at(tipOf(needle) - m_hook - m_stroke * loop.slide - stacked, rise * m_size);
 }
 
 void SidePainter::paint(const QString& caption) {
@@ -83,16 +88,22 @@ void SidePainter::paint(const QString& caption) {
             paintNeedle(axisOf(needle->needle.bed), *needle);
         }
     }
+    const SeenNeedle* const sliders[] = {nearest(Bed::FrontSlider), nearest(Bed::RearSlider)};
+    for (const SeenNeedle* slider : sliders) {
+        if (slider) {
+            paintSlider(axisOf(slider->needle.bed), *slider);
+        }
+    }
     paintFeeders();
-    for (const SeenNeedle* needle : {front, rear}) {
+    for (const SeenNeedle* needle : {sliders[0], sliders[1], front, rear}) {
         if (needle) {
             paintLoops(axisOf(needle->needle.bed), *needle);
         }
     }
     paintFlight();
     m_painter.restore();
-    paintName(front, Bed::Front);
-    paintName(rear, Bed::Rear);
+    paintName(Bed::Front);
+    paintName(Bed::Rear);
     paintCaption(caption);
 }
 
@@ -131,6 +142,19 @@ void SidePainter::paintNeedle(const Axis& axis, const SeenNeedle& needle) {
         QPen(works ? m_colours.accent : m_colours.latch, 0.55 * width, Qt::SolidLine, Qt::RoundCap));
     m_painter.drawLine(axis.at(pivot, 0),
                        axis.at(pivot + length * std::cos(angle), length * std::sin(angle)));
+}
+
+/// A blade that lies on its needle and takes loops without a hook.
+void SidePainter::paintSlider(const Axis& axis, const SeenNeedle& slider) {
+    const double tip = tipOf(slider);
+    const double height = kSliderRise * m_size;
+    QPainterPath blade(axis.at(-m_size, height));
+    blade.lineTo(axis.at(tip - 0.03 * m_size, height));
+    blade.lineTo(axis.at(tip, 0.4 * height));
+    m_painter.setBrush(Qt::NoBrush);
+    m_painter.setPen(QPen(m_scene.works(slider.needle) ? m_colours.accent : m_colours.latch,
+                          std::max(1.5, 0.018 * m_size), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    m_painter.drawPath(blade);
 }
 
 /// A ring around the needle, its legs down to the fabric.
@@ -188,13 +212,20 @@ void SidePainter::paintFlight() {
 /// A strip of stitches below the verges, pulled down by the take-down.
 void SidePainter::paintFabric() {
     const SeenLoop* any = nullptr;
-    for (const SeenNeedle& needle : m_scene.picture.needles) {
-        if (!needle.loops.empty()) {
-            any = &needle.loops.front();
+    const auto find = [&](const std::vector<SeenLoop>& loops) {
+        for (const SeenLoop& loop : loops) {
+            // A loop that was just hung up has nothing below it.
+            if (loop.place == LoopPlace::KnockedOver ||
+                !m_scene.timeline.loops().parentsOf(loop.loop).empty()) {
+                any = &loop;
+            }
         }
+    };
+    for (const SeenNeedle& needle : m_scene.picture.needles) {
+        find(needle.loops);
     }
-    if (!any && m_scene.picture.flight) {
-        any = &m_scene.picture.flight->loops.front();
+    if (m_scene.picture.flight) {
+        find(m_scene.picture.flight->loops);
     }
     if (!any) {
         return;
@@ -242,8 +273,14 @@ void SidePainter::paintFeeders() {
     }
 }
 
-void SidePainter::paintName(const SeenNeedle* needle, Bed bed) {
+/// The slider's name where it works.
+void SidePainter::paintName(Bed bed) {
     const bool front = machine::isFront(bed);
+    const SeenNeedle* needle = nearest(bed);
+    const SeenNeedle* slider = nearest(front ? Bed::FrontSlider : Bed::RearSlider);
+    if (slider && m_scene.works(slider->needle)) {
+        needle = slider;
+    }
     const QString count = needle ? countText(*needle) : QString();
     const QString text = needle  ? (document::needleText(needle->needle) + u' ' + count).trimmed()
                          : front ? QCoreApplication::translate("beds", "front bed")

@@ -29,12 +29,13 @@ private:
 
     void paintBed(const Axis& axis);
     void paintNeedle(const Axis& axis, const machine::SeenNeedle& needle);
+    void paintSlider(const Axis& axis, const machine::SeenNeedle& slider);
     void paintLoops(const Axis& axis, const machine::SeenNeedle& needle);
     void paintLoop(QPointF centre, QPointF along, double half, const machine::SeenLoop& loop);
     void paintFlight();
     void paintFabric();
     void paintFeeders();
-    void paintName(const machine::SeenNeedle* needle, machine::Bed bed);
+    void paintName(machine::Bed bed);
     void paintCaption(const QString& caption);
     const machine::SeenNeedle* nearest(machine::Bed bed) const;
     const Axis& axisOf(machine::Bed bed) const { return machine::isFront(bed) ? m_front : m_rear; }

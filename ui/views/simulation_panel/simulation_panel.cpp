@@ -83,6 +83,8 @@ void SimulationPanel::build() {
     m_surroundings = new QComboBox(this);
     m_surroundings->setObjectName(QStringLiteral("surroundingsChoice"));
     m_surroundings->setAccessibleName(tr("Surroundings of the yarn"));
+    m_surroundings->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_surroundings->setMinimumContentsLength(8);
     for (const simulation::SurroundingsInfo& info : simulation::surroundingsKinds()) {
         m_surroundings->addItem(surroundingsName(info));
         m_surroundings->setItemData(m_surroundings->count() - 1, surroundingsPurpose(info), Qt::ToolTipRole);
@@ -108,8 +110,7 @@ void SimulationPanel::build() {
     ladders->addWidget(m_holder);
     auto* yarn = new QHBoxLayout;
     yarn->addWidget(m_yarn);
-    yarn->addWidget(m_surroundings);
-    yarn->addStretch(1);
+    yarn->addWidget(m_surroundings, 1);
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(8, 8, 8, 8);
     rows->setSpacing(6);

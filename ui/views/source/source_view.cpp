@@ -247,7 +247,6 @@ void SourceView::keyPressEvent(QKeyEvent* event) {
 
 bool SourceView::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
-        // Up and down walk through lines here; elsewhere they step the machine.
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool walks = key->key() == Qt::Key_Up || key->key() == Qt::Key_Down;
         if ((walks && key->modifiers() == Qt::NoModifier) || key->matches(QKeySequence::Copy)) {

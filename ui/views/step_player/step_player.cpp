@@ -2,6 +2,7 @@
 
 #include "ui/document/operation_text.h"
 #include "ui/views/step_player/marked_slider.h"
+#include "ui/views/step_player/skimming.h"
 #include "ui/views/style/appearance.h"
 #include "ui/views/style/icons.h"
 #include "ui/views/style/numbers.h"
@@ -17,6 +18,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <cmath>
 
 namespace knittsim::ui {
 
@@ -155,13 +157,17 @@ void StepPlayer::build() {
 }
 
 void StepPlayer::showSpeed() {
+    const QSignalBlocker quiet(m_speed);
     m_speed->setCurrentIndex(m_speed->findData(m_playback.speed()));
 }
 
 void StepPlayer::setSpeed(double operationsPerSecond) {
-    m_playback.setSpeed(operationsPerSecond);
+    m_playback.setSpeed(
+        *std::ranges::min_element(Playback::speeds(), {}, [operationsPerSecond](double speed) {
+            return std::abs(std::log(speed / operationsPerSecond));
+        }));
     showSpeed();
-    emit speedChanged(operationsPerSecond);
+    emit tempoChanged(speed());
 }
 
 void StepPlayer::changeSpeed(int direction) {
@@ -209,7 +215,7 @@ void StepPlayer::takeStep() {
     const machine::Program& program = file->timeline->program();
     QString words = tr("Empty machine");
     if (step > 0) {
-        words = document::operationSentence(program, step - 1);
+        words = document::operationSentence(*file->timeline, step - 1);
         const int line = program.operations[static_cast<std::size_t>(step) - 1].line;
         if (line > 0) {
             words = tr("%1 \u00b7 line %2").arg(words).arg(line);
@@ -242,13 +248,23 @@ void StepPlayer::tick() {
         m_sinceTick.restart();
         return;
     }
-    const int due = m_playback.advance(static_cast<double>(m_sinceTick.nsecsElapsed()) * 1e-6);
+    const double passedMs = static_cast<double>(m_sinceTick.nsecsElapsed()) * 1e-6;
+    const int due = m_playback.advance(passedMs * haste(m_document.step() - 1));
     m_sinceTick.restart();
     const auto next = m_marks.play(m_finder, m_document.step(), due, m_document.operationCount());
+    if (due > 0) {
+        emit tempoChanged(speed() * haste(next.step - 1));
+    }
     m_document.setStep(next.step);
     if (next.stops) {
         setPlaying(false);
     }
+}
+
+/// How much faster than the speed that is set an operation goes.
+double StepPlayer::haste(int operation) const {
+    const auto file = m_document.file();
+    return m_skimming && file ? skimmingHaste(file->timeline->program(), operation, speed()) : 1.0;
 }
 
 void StepPlayer::showMarks() {

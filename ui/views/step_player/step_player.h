@@ -35,7 +35,9 @@ public:
     void setPlaying(bool on);
     void togglePlaying() { setPlaying(!isPlaying()); }
     double speed() const { return m_playback.speed(); } ///< operations a second
-    void setSpeed(double operationsPerSecond);
+    void setSpeed(double operationsPerSecond);          ///< the nearest that can be chosen
+    /// What comes again and again goes faster than what is new.
+    void setSkimming(bool on) { m_skimming = on; }
     void changeSpeed(int direction);
 
     document::StepMarks& marks() { return m_marks; }
@@ -56,7 +58,7 @@ public:
 signals:
     void rulesShown(); ///< the stop menu shows marks().rules() now
     void playingChanged(bool on);
-    void speedChanged(double operationsPerSecond);
+    void tempoChanged(double operationsPerSecond); ///< of the next operation
 
 private:
     void build();
@@ -64,6 +66,7 @@ private:
     void takeFile();
     void takeStep();
     void tick();
+    double haste(int operation) const;
     void showSpeed();
     void showMarks();
 
@@ -89,6 +92,7 @@ private:
     QTimer m_timer;
     QElapsedTimer m_sinceTick;
     bool m_waiting = false;
+    bool m_skimming = false;
     document::StepMarks m_marks;
     document::StopFinder m_finder;
     document::CourseScale m_courses;

@@ -1,0 +1,91 @@
+#include "core/fabric/passing_book.h"
+
+#include <gmock/gmock.h>
+
+#include <array>
+
+namespace knittsim::fabric {
+namespace {
+
+using testing::ElementsAre;
+
+constexpr Strand kA{Strand::Kind::Loop, 0};
+constexpr Strand kB{Strand::Kind::Loop, 1};
+constexpr Strand kX{Strand::Kind::Loop, 2};
+constexpr Strand kY{Strand::Kind::Loop, 3};
+
+/// Of four loops, by hand.
+struct Book {
+    Book() {
+        for (int i = 0; i < 4; ++i) {
+            book.addLoop();
+        }
+    }
+
+    void pass(Strand over, Strand under, int sign) {
+        const std::array pairs{PassingBook::Pair{over, under, sign}};
+        book.pass(pairs, 0, ++moment);
+    }
+
+    PassingBook book;
+    std::int32_t moment = 0;
+};
+
+TEST(PassingBook, ThereAndBackIsNothing) {
+    Book test;
+    test.pass(kA, kB, 1);
+    test.pass(kA, kB, -1);
+    EXPECT_TRUE(test.book.on(kA).empty());
+    EXPECT_TRUE(test.book.on(kB).empty());
+}
+
+TEST(PassingBook, BackWithTheOtherOneInFrontStays) {
+    Book test;
+    test.pass(kA, kB, 1);
+    test.pass(kB, kA, 1);
+    EXPECT_THAT(test.book.on(kA), ElementsAre(0, 1));
+}
+
+TEST(PassingBook, AStrandThatRunsThroughTheGapIsSlidAcross) {
+    Book test;
+    test.pass(kA, kB, 1);
+    test.pass(kA, kX, 1); // X comes from the right, past A and then past B
+    test.pass(kB, kX, 1);
+    test.pass(kA, kB, -1);
+    EXPECT_TRUE(test.book.passings()[0].undone);
+    EXPECT_THAT(test.book.on(kX), ElementsAre(2, 1)) << "now past B first";
+}
+
+/// Of two strands with as many passings in the gap one has another strand twice: nothing can slide there.
+TEST(PassingBook, AStrandThatPassesTheGapTwiceIsInTheWay) {
+    Book test;
+    test.pass(kB, kY, -1);
+    test.pass(kA, kB, 1);
+    test.pass(kX, kB, 1);
+    test.pass(kA, kX, 1);
+    test.pass(kB, kX, 1);
+    test.pass(kA, kY, -1);
+    test.pass(kA, kB, -1);
+    EXPECT_FALSE(test.book.passings()[1].undone);
+    EXPECT_THAT(test.book.on(kA), ElementsAre(1, 3, 5, 6));
+    EXPECT_THAT(test.book.on(kB), ElementsAre(0, 1, 2, 4, 6));
+}
+
+/// X passes A and B, which stand at one place, on its way to the right. When A goes to the right past B it is
+/// known that it stood on the left, so that X met it first.
+TEST(PassingBook, WhatStoodAtOnePlaceIsPutInOrderWhenItParts) {
+    for (const bool leftFirst : {true, false}) {
+        Book test;
+        const PassingBook::Pair left{kX, kA, 1};
+        const PassingBook::Pair right{kX, kB, 1};
+        const std::array pairs{leftFirst ? left : right, leftFirst ? right : left};
+        test.book.pass(pairs, 0, ++test.moment);
+        test.pass(kA, kB, 1);
+        const std::vector<std::int32_t> met = test.book.on(kX);
+        ASSERT_EQ(met.size(), 2U);
+        EXPECT_EQ(test.book.passings()[static_cast<std::size_t>(met[0])].under, kA);
+    }
+}
+
+} // namespace
+} // namespace knittsim::fabric
