@@ -11,8 +11,10 @@ struct ClosestPoints {
     double distance = 0;
 };
 
-/// Works for points and parallel segments too (one of many closest pairs then).
+/// Works for points and parallel segments too (one of many closest pairs then). With `centring` L > 0 the
+/// pair that minimises |p(s) - q(t)|^2 + L ((s - 1/2)^2 + (t - 1/2)^2), which does not jump from end to end
+/// where segments become parallel.
 ClosestPoints closestPoints(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1, const Eigen::Vector3d& q0,
-                            const Eigen::Vector3d& q1);
+                            const Eigen::Vector3d& q1, double centring = 0);
 
 } // namespace knittsim

@@ -9,8 +9,8 @@ namespace knittsim::physics {
 
 namespace {
 constexpr double kForcing = 0.1;
-constexpr int kMostIterations = 60;
-constexpr int kManyIterations = 25;   ///< more say that the step is too long for the preconditioner
+constexpr int kMostIterations = 200;
+constexpr int kManyIterations = 100;  ///< more say that the step is too long for the preconditioner
 constexpr double kFirstDamping = 0.1; ///< of stiffness over mass
 constexpr double kLeastDamping = 1e-7;
 constexpr double kMostDamping = 1e3;

@@ -25,6 +25,12 @@ void StopRule::setReference(const System& model) {
     restart();
 }
 
+void StopRule::setReference(const System& model, double force) {
+    setReference(model);
+    m_reference = std::max(1e-12, force);
+    m_referenceEnergy = m_reference * m_reference / model.stiffnessScale();
+}
+
 void StopRule::setReference(const System& model, const Vector& start) {
     setReference(model);
     Vector gradient;

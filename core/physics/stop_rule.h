@@ -20,6 +20,9 @@ public:
     /// first forces say nothing, because the start is arbitrary.
     void setReference(const System& model);
 
+    /// Measures forces against this one, > 0, mN.
+    void setReference(const System& model, double force);
+
     /// Forgets the past steps; the reference stays.
     void restart();
 

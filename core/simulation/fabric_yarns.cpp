@@ -332,7 +332,8 @@ FabricYarns layYarns(const Fabric& f, std::span<const yarn::Yarn> yarns, const Y
                   geometry::buildYarnCurves(f, fabric::machinePlaces(f), diameters,
                                             {.samplesPerSegment = kSamples, .exact = true}),
                   loopLength / layout.nodesPerLoop, result.units.lengthMm);
-    laying.stretch({plane.x(), plane.y(), depthFor(laying, plane, fed)});
+    const Eigen::Vector2d laid = plane.cwiseProduct(Eigen::Vector2d(layout.wider, layout.higher));
+    laying.stretch({laid.x(), laid.y(), depthFor(laying, laid, fed)});
     for (std::size_t yarn = 0; yarn < laying.curves().yarns.size(); ++yarn) {
         laying.add(yarn, result);
     }

@@ -43,6 +43,10 @@ struct YarnLayout {
     /// To start from; 0: those of the fabric's repeat, or of the bonding-point model at rest.
     double waleSpacingMm = 0;
     double courseSpacingMm = 0;
+    /// Laid and grown so many times as wide and high as that; settling begins at the spacings themselves,
+    /// where the machine's pull has left the fabric.
+    double wider = 1;
+    double higher = 1;
     /// Asked at least every 20 ms of settling for these spacings; once true, the layout is of no use.
     const std::function<bool()>* cancelled = nullptr;
 };

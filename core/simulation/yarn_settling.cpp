@@ -33,6 +33,9 @@ constexpr double kEnergyAtRest = 1e-3; ///< without friction it must not go on: 
 constexpr double kEnergyHeld = 1e-2;
 constexpr double kEnergyPulled = 1e-4; ///< what a person pulls is to follow
 constexpr std::size_t kStepsAtRest = 8;
+constexpr int kStepsOfLag = 30;
+constexpr int kMostLags = 12;
+constexpr double kOneFacedHalf = 1; ///< diameters: plain knit is 2.0 to 2.2 thick, and edges need some room
 
 std::vector<Entry> endsOf(const physics::YarnChains& chains) {
     std::vector<Entry> ends;
@@ -178,11 +181,22 @@ void YarnSettling::coarsen(const std::vector<char>& bent) {
     m_dense = false;
 }
 
+/// To the spacings where settling begins: stretched along the axes, so nothing passes through another.
+void YarnSettling::bringBack() {
+    const Vec3 factor(1 / m_options.layout.wider, 1 / m_options.layout.higher, 1);
+    const physics::Vector from = shape();
+    for (Entry e = 0; e < m_yarns.chains.nodeCount(); ++e) {
+        physics::at(m_motion.positions, e) = physics::at(from, e).cwiseProduct(factor);
+    }
+    witness(from);
+}
+
 void YarnSettling::startSettling() {
     m_growth.reset();
+    bringBack();
     const double relief = centreRelief(m_motion.positions);
     const double thickest = physics::thickestYarn(m_yarns.chains.yarns);
-    m_halfGap = std::max(relief, isTwoFaced(m_fabric) ? kTwoFacedHalf * thickest : 0);
+    m_halfGap = std::max(relief, (isTwoFaced(m_fabric) ? kTwoFacedHalf : kOneFacedHalf) * thickest);
     m_grown = m_motion.positions;
     const bool free = m_options.surroundings == Surroundings::Free;
     build(free ? Stage::Shaken : Stage::Held, YarnRelaxation::Start::Thin);
@@ -251,6 +265,8 @@ void YarnSettling::addHoldings() {
 void YarnSettling::wake() {
     m_phase = Phase::Settling;
     m_energies.clear();
+    m_untilLag = 0;
+    m_lags = 0;
 }
 
 /// -1 where no yarn was laid.
@@ -323,12 +339,39 @@ bool YarnSettling::isStill(double share) const {
                share * std::abs(m_energies.back());
 }
 
+/// Yarn that has moved holds where it is now.
+void YarnSettling::lagFriction() {
+    m_friction->holdAt(m_motion.positions);
+    m_friction->lag(m_model->contact(), m_model->cores(), m_motion.positions);
+    m_relaxation->forcesChanged();
+}
+
+/// Friction looks anew, once it has come to rest. False when nothing is left to do: then the forces are in
+/// balance, or come no nearer to it.
+bool YarnSettling::balance() {
+    lagFriction();
+    physics::Vector force;
+    m_report.energy = m_model->evaluate(shape(), &force);
+    m_relaxation->measureAgainst(pressing().norm());
+    const double before = m_unbalanced;
+    m_unbalanced = m_relaxation->residual(force.norm());
+    m_report.residual = m_unbalanced;
+    if (m_unbalanced <= m_options.residual) {
+        m_report.verdict = StopRule::Verdict::ResidualReached;
+        return false;
+    }
+    if (++m_lags > kMostLags || (m_lags > 1 && m_unbalanced >= before)) {
+        m_report.verdict = StopRule::Verdict::Stagnation;
+        return false;
+    }
+    m_relaxation->restart();
+    m_untilLag = kStepsOfLag;
+    return true;
+}
+
 bool YarnSettling::settle(const physics::Interrupt& interrupt) {
-    if (m_friction != nullptr) {
-        // Every step is one of the way: yarn that has moved holds where it is now.
-        m_friction->holdAt(m_motion.positions);
-        m_friction->lag(m_model->contact(), m_model->cores(), m_motion.positions);
-        m_relaxation->forcesChanged();
+    if (m_friction != nullptr && m_untilLag == 0) {
+        lagFriction();
     }
     const physics::Vector before = shape();
     const bool goesOn = m_relaxation->step(interrupt);
@@ -346,85 +389,20 @@ bool YarnSettling::settle(const physics::Interrupt& interrupt) {
         }
         return true;
     }
-    if (goesOn && m_relaxation->takesLargeSteps() && isStill(m_pulled ? kEnergyPulled : kEnergyAtRest)) {
-        m_report.verdict = StopRule::Verdict::Stagnation;
-        m_phase = Phase::Done;
+    const bool pauses = !goesOn || (m_untilLag > 0 ? --m_untilLag == 0
+                                                   : m_relaxation->takesLargeSteps() &&
+                                                         isStill(m_pulled ? kEnergyPulled : kEnergyAtRest));
+    if (!pauses) {
+        return true;
     }
-    if (!goesOn) {
+    const bool balances = m_friction != nullptr && !m_pulled && (goesOn || isAtRest(m_report.verdict));
+    if (!balances && goesOn) {
+        m_report.verdict = StopRule::Verdict::Stagnation;
+    }
+    if (!balances || !balance()) {
         m_phase = Phase::Done;
     }
     return m_phase != Phase::Done;
-}
-
-std::vector<float> YarnSettling::tension() const {
-    if (!m_model) {
-        return {};
-    }
-    const std::vector<double> bySegment = m_model->stretch().tensions(shape());
-    const double unit = m_yarns.units.forceMilliNewton();
-    std::vector<float> result;
-    std::size_t first = 0; // segment of the chain
-    for (const physics::Chain& chain : m_yarns.chains.chains) {
-        const auto segments = static_cast<std::size_t>(chain.segmentCount());
-        for (std::size_t i = 0; i <= segments; ++i) {
-            const double before = bySegment[first + (i > 0 ? i - 1 : 0)];
-            const double after = bySegment[first + std::min(i, segments - 1)];
-            result.push_back(static_cast<float>(0.5 * unit * (before + after)));
-        }
-        first += segments;
-    }
-    return result;
-}
-
-std::vector<float> YarnSettling::contactForce() const {
-    if (!m_model) {
-        return {};
-    }
-    physics::Vector gradient = physics::Vector::Zero(shape().size());
-    m_model->contact().evaluate(shape(), &gradient);
-    m_model->cores().evaluate(shape(), &gradient);
-    const double unit = m_yarns.units.forceMilliNewton() / m_yarns.units.lengthMm;
-    const std::vector<double> lengths = physics::nodeLengths(m_yarns.chains);
-    std::vector<float> result;
-    for (std::size_t e = 0; e < lengths.size(); ++e) {
-        const double force = physics::at(gradient, static_cast<Entry>(e)).norm();
-        result.push_back(static_cast<float>(unit * force / lengths[e]));
-    }
-    return result;
-}
-
-YarnPicture YarnSettling::picture() const {
-    return {curves(), entryPositions(m_fabric, m_yarns, shape()), tension(), contactForce()};
-}
-
-/// On whose yarn a node is; -1 for none.
-machine::LoopIndex YarnSettling::loopAt(Entry node) const {
-    return node < 0 ? -1
-                    : m_fabric.points[static_cast<std::size_t>(m_yarns.piece[static_cast<std::size_t>(node)])]
-                          .loop;
-}
-
-YarnAudit YarnSettling::audit() const {
-    YarnAudit audit;
-    if (*m_problem != '\0') {
-        return audit;
-    }
-    const physics::StrandAudit strands = physics::StrandGuard(m_yarns.chains).audit(shape());
-    audit.coreOverlaps = strands.coreOverlaps;
-    audit.deepestOverlapMm = strands.deepestOverlap * m_yarns.units.lengthMm;
-    audit.worstLoop = loopAt(strands.worstA);
-    audit.worstOther = loopAt(strands.worstB);
-    audit.passages = m_passages;
-    const geometry::YarnCurves laid = curvesOf(m_laid, m_laid.chains.start());
-    audit.laidWrong = geometry::certifyTopology(m_fabric, laid).failures;
-    const geometry::CrossingAudit start =
-        geometry::auditCrossings(m_fabric, laid, geometry::projectCrossings(laid));
-    audit.expectedCrossings = start.expected;
-    audit.laidCrossings = start.found;
-    const geometry::YarnCurves drawn = curves();
-    audit.foldedLoops = geometry::certifyTopology(m_fabric, drawn).failures.size();
-    audit.foundCrossings = geometry::auditCrossings(m_fabric, drawn, geometry::projectCrossings(drawn)).found;
-    return audit;
 }
 
 } // namespace knittsim::simulation

@@ -41,7 +41,9 @@ struct YarnAudit {
 /// Settles a whole fabric in the yarn model, step by step: thin yarns along the machine's curves, drawn in
 /// (layYarns), that grow and make room for each other (YarnGrowth), then rods that come to rest. The first
 /// course hangs on a comb, the live loops on a stitch holder; both float. First the edges are held, between
-/// plates, until the stitches have settled; then the surroundings take over, and friction holds what it can.
+/// plates, until the stitches have settled; then the surroundings take over, and friction holds what it can:
+/// first at every step anew, then from rest to rest, until the forces are in balance at pressures taken from
+/// the shape itself.
 /// Where the fabric may curl it is shaken first; a free one is neither held nor rubbed.
 ///
 /// What a person does (another yarn, other surroundings, a pull, a pin) goes on from the present shape, also
@@ -52,7 +54,7 @@ public:
     struct Options {
         YarnLayout layout{};
         const char* integrator = "implicit";
-        double residual = 1e-3;
+        double residual = 1e-3; ///< of the forces with which yarns press on each other, or the bent yarn's
         Surroundings surroundings = Surroundings::Flat;
     };
 
@@ -101,6 +103,7 @@ private:
     void coarsen(const std::vector<char>& bent);
     void witness(const physics::Vector& from);
     machine::LoopIndex loopAt(physics::Entry node) const;
+    void bringBack();
     void startSettling();
     void build(Stage stage, physics::YarnRelaxation::Start start);
     void addHoldings();
@@ -108,7 +111,10 @@ private:
     Stage stageAfter(Stage stage) const;
     void wake();
     bool settle(const physics::Interrupt& interrupt);
+    void lagFriction();
+    bool balance();
     bool isStill(double share) const;
+    physics::Vector pressing() const;
     std::vector<float> tension() const;
     std::vector<float> contactForce() const;
     physics::Entry nodeAt(fabric::PointIndex point) const;
@@ -136,6 +142,10 @@ private:
     physics::YarnRelaxReport m_report;
     physics::YarnRelaxReport m_earlier; ///< work of the models before the present one
     std::vector<double> m_energies;     ///< by step
+    /// Steps to go until friction looks anew at what presses; 0 while it does so at every step.
+    int m_untilLag = 0;
+    int m_lags = 0;          ///< from rest to rest
+    double m_unbalanced = 0; ///< residual at the last one
 
     struct Pull {
         fabric::PointIndex point = -1;

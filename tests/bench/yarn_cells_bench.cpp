@@ -6,6 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <ctime>
 #include <string>
 
@@ -71,6 +72,34 @@ void settlePlain(benchmark::State& state, const char* integrator) {
     }
 }
 
+/// Plain knit of a tightness factor (sqrt(tex) / loop length in mm, in tenths), off the machine, from a wide
+/// and from a narrow first curve; without friction the first curve is all that it comes from.
+void settleTightness(benchmark::State& state, bool rough) {
+    const yarn::Yarn yarn;
+    const double loopLength = std::sqrt(yarn.tex) * 10 / static_cast<double>(state.range(0));
+    const physics::YarnUnits units = physics::unitsOf(yarn);
+    const auto from = [&](double widthFactor, double heightFactor) {
+        physics::CellOptions options;
+        options.start = {.widthFactor = widthFactor, .heightFactor = heightFactor};
+        options.relax.residual = 2e-4;
+        if (rough) {
+            options.machine = physics::machineHold(machine::genericProfile().pitchMm(), units);
+        }
+        return relaxCell({2, 2, {1, 1, 1, 1}}, std::vector<double>(4, loopLength / units.lengthMm),
+                         physics::toRod(yarn, units), options);
+    };
+    for (auto _ : state) {
+        const double begin = cpuSeconds();
+        const CellShape wide = from(3.6, 5.0);
+        const double seconds = cpuSeconds() - begin;
+        report(state, wide, seconds);
+        const CellShape narrow = from(4.4, 5.8);
+        state.counters["kc_of_kw"] = wide.waleSpacing / wide.courseSpacing;
+        state.counters["wale_of_other"] = narrow.waleSpacing / wide.waleSpacing;
+        state.counters["course_of_other"] = narrow.courseSpacing / wide.courseSpacing;
+    }
+}
+
 struct Swatch {
     const char* name;
     machine::Program program;
@@ -119,6 +148,19 @@ void settleSwatch(benchmark::State& state, const Swatch& swatch, As as) {
         state.counters["loop_mm"] = cell.loopLength * yarn->outerDiameterMm;
     }
 }
+
+BENCHMARK_CAPTURE(settleTightness, off_the_machine, true)
+    ->Arg(12)
+    ->Arg(14)
+    ->Arg(16)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(settleTightness, without_friction, false)
+    ->Arg(12)
+    ->Arg(14)
+    ->Arg(16)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
 
 const bool kRegistered = [] {
     for (const char* id : {"newton-cg", "fire", "l-bfgs"}) {

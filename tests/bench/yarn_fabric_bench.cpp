@@ -4,6 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <ctime>
 
 /// Whole fabrics of plain knit settled in the yarn model.
@@ -19,8 +20,16 @@ double cpuSeconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-fabric::Fabric plain(int side) {
-    return fabric::buildFabric(machine::Timeline(pattern::makePlain(side, side), machine::genericProfile()));
+fabric::Fabric plain(int side, double loopLengthMm = machine::MachineProfile().defaultLoopLengthMm) {
+    machine::MachineProfile profile = machine::genericProfile();
+    profile.defaultLoopLengthMm = loopLengthMm;
+    return fabric::buildFabric(machine::Timeline(pattern::makePlain(side, side), profile));
+}
+
+/// Without two wales and courses at each edge.
+geometry::Measurement measureInner(const fabric::Fabric& fabric, const YarnSettling& settling, int side) {
+    const std::vector<float> positions = entryPositions(fabric, settling.yarns(), settling.shape());
+    return geometry::measure(fabric, positions, {2, side - 3, 2, side - 3});
 }
 
 /// CPU seconds of one evaluation of energy and forces at a shape.
@@ -50,9 +59,7 @@ void settle(benchmark::State& state) {
             grown = settling.phase() == YarnSettling::Phase::Growing ? cpuSeconds() - begin : grown;
         }
         const double seconds = cpuSeconds() - begin;
-        const std::vector<float> positions = entryPositions(fabric, settling.yarns(), settling.shape());
-        const int last = static_cast<int>(state.range(0)) - 3;
-        const geometry::Measurement inner = geometry::measure(fabric, positions, {2, last, 2, last});
+        const geometry::Measurement inner = measureInner(fabric, settling, static_cast<int>(state.range(0)));
         const simulation::YarnAudit audit = settling.audit();
         state.counters["cpu_s"] = seconds;
         state.counters["growth_s"] = grown;
@@ -65,6 +72,36 @@ void settle(benchmark::State& state) {
         state.counters["passed"] = static_cast<double>(audit.passThroughs());
         state.counters["kw"] = inner.loopLengthMm / inner.waleSpacingMm;
         state.counters["kc"] = inner.loopLengthMm / inner.courseSpacingMm;
+    }
+}
+
+/// Plain knit of a tightness factor (sqrt(tex) / loop length in mm, in tenths), 30 x 30, from a wide and from
+/// a narrow start.
+void settleTightness(benchmark::State& state) {
+    constexpr int kSide = 30;
+    const double loopLength = std::sqrt(yarn::Yarn().tex) * 10 / static_cast<double>(state.range(0));
+    const fabric::Fabric fabric = plain(kSide, loopLength);
+    for (auto _ : state) {
+        double wale[2] = {0, 0};
+        double course[2] = {0, 0};
+        for (const int narrow : {0, 1}) {
+            YarnSettling::Options options;
+            options.layout.wider = narrow != 0 ? 0.94 : 1.12;
+            options.layout.higher = narrow != 0 ? 1.1 : 0.95;
+            YarnSettling settling(fabric, {}, options);
+            while (settling.step({})) {
+            }
+            const geometry::Measurement inner = measureInner(fabric, settling, kSide);
+            wale[narrow] = inner.waleSpacingMm;
+            course[narrow] = inner.courseSpacingMm;
+            state.counters["residual"] = settling.report().residual;
+            state.counters["passed"] = static_cast<double>(settling.audit().passThroughs());
+        }
+        state.counters["kw"] = loopLength / wale[0];
+        state.counters["kc"] = loopLength / course[0];
+        state.counters["kc_of_kw"] = wale[0] / course[0];
+        state.counters["wale_of_other"] = wale[1] / wale[0];
+        state.counters["course_of_other"] = course[1] / course[0];
     }
 }
 
@@ -88,7 +125,7 @@ double secondsTo(const fabric::Fabric& fabric, const char* integrator, double en
 }
 
 void againstCashKarp(benchmark::State& state) {
-    const fabric::Fabric fabric = plain(6);
+    const fabric::Fabric fabric = plain(static_cast<int>(state.range(0)));
     for (auto _ : state) {
         YarnSettling rest(fabric, {}, {});
         while (rest.step({})) {
@@ -103,6 +140,7 @@ void againstCashKarp(benchmark::State& state) {
 }
 
 BENCHMARK(settle)->Arg(12)->Arg(30)->Arg(60)->Iterations(1)->Unit(benchmark::kMillisecond);
-BENCHMARK(againstCashKarp)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(settleTightness)->Arg(12)->Arg(14)->Arg(16)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(againstCashKarp)->Arg(6)->Arg(16)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 } // namespace

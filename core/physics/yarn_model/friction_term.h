@@ -29,7 +29,7 @@ namespace knittsim::physics {
 /// is exact and positive semi-definite.
 class FrictionTerm final : public EnergyTerm {
 public:
-    static constexpr double kThreshold = 1e-3; ///< e, in outer diameters of the thickest yarn
+    static constexpr double kThreshold = 1e-2; ///< e, in outer diameters of the thickest yarn
 
     explicit FrictionTerm(const YarnChains& chains);
 

@@ -10,6 +10,12 @@ namespace knittsim::physics {
 namespace {
 constexpr double kSkin = 0.3; ///< outer diameters of the thickest yarn
 constexpr double kTiny = 1e-12;
+constexpr double kUsualOff =
+    0.16; ///< about the mean square of how far two places are off the middles of segments
+
+double square(double v) {
+    return v * v;
+}
 } // namespace
 
 HardCoreTerm::HardCoreTerm(const YarnChains& chains)
@@ -34,8 +40,8 @@ void HardCoreTerm::setThickness(double share) {
     for (const RodYarn& a : m_yarns) {
         for (const RodYarn& b : m_yarns) {
             const double core = 0.5 * share * (a.coreDiameter + b.coreDiameter);
-            m_kernels.emplace_back(core, kReach * core,
-                                   kStiffness * std::sqrt(a.contactStiffness * b.contactStiffness));
+            const double stiffness = kStiffness * std::sqrt(a.contactStiffness * b.contactStiffness);
+            m_kernels.push_back({ContactKernel(core, kReach * core, stiffness), kSmoothing * core * core});
             m_reach = std::max(m_reach, kReach * core);
         }
     }
@@ -97,28 +103,33 @@ void HardCoreTerm::addCandidate(const NearPair& pair) const {
     }
 }
 
-template<class Visit> void HardCoreTerm::forTouches(const Vector& x, Visit visit) const {
+template<class Visit> void HardCoreTerm::forTouches(const Vector& x, double ahead, Visit visit) const {
     prepare(x);
     for (const Candidate& c : m_candidates) {
         const Eigen::Vector3d a0 = position(x, m_cell, c.places[0]);
         const Eigen::Vector3d a1 = position(x, m_cell, c.places[1]);
         const Eigen::Vector3d b0 = position(x, m_cell, c.places[2]);
         const Eigen::Vector3d b1 = position(x, m_cell, c.places[3]);
-        const double reach = m_kernels[c.kernel].reach();
+        const Kernel& kernel = m_kernels[c.kernel];
+        const double most = (1 + ahead) * kernel.value.reach();
+        const double reach = std::sqrt(square(most) + kUsualOff * kernel.smoothing);
         // Balls around the segments: most candidates are not that near.
         const double balls = reach + 0.5 * ((a1 - a0).norm() + (b1 - b0).norm());
         if ((b0 + b1 - a0 - a1).squaredNorm() >= 4 * balls * balls) {
             continue;
         }
-        const ClosestPoints closest = closestPoints(a0, a1, b0, b1);
-        if (closest.distance >= reach || closest.distance <= kTiny) {
+        const ClosestPoints closest = closestPoints(a0, a1, b0, b1, kernel.smoothing);
+        const double off = square(closest.s - 0.5) + square(closest.t - 0.5) - kUsualOff;
+        const double distance = std::sqrt(std::max(0.0, square(closest.distance) + kernel.smoothing * off));
+        if (distance >= most || distance <= kTiny) {
             continue;
         }
         const Eigen::Vector3d apart = b0 + closest.t * (b1 - b0) - a0 - closest.s * (a1 - a0);
-        ContactKernel::Value value = m_kernels[c.kernel].at(closest.distance);
+        ContactKernel::Value value = kernel.value.at(std::min(distance, (1 - ahead) * kernel.value.reach()));
+        const double lever = closest.distance / distance; // what `distance` grows when `apart` does
         value.energy *= c.weight;
-        value.slope *= c.weight;
-        value.curvature *= c.weight;
+        value.slope *= c.weight * lever;
+        value.curvature *= c.weight * lever * lever;
         visit(Touch{{c.places, {closest.s - 1, -closest.s, 1 - closest.t, closest.t}},
                     apart / closest.distance,
                     value});
@@ -127,7 +138,7 @@ template<class Visit> void HardCoreTerm::forTouches(const Vector& x, Visit visit
 
 double HardCoreTerm::evaluate(const Vector& x, Vector* gradient) const {
     double energy = 0;
-    forTouches(x, [&](const Touch& touch) {
+    forTouches(x, 0, [&](const Touch& touch) {
         energy += touch.value.energy;
         if (gradient != nullptr) {
             touch.apart.spread(touch.value.slope * touch.direction, *gradient, m_cell);
@@ -138,7 +149,7 @@ double HardCoreTerm::evaluate(const Vector& x, Vector* gradient) const {
 
 std::vector<Press<4>> HardCoreTerm::presses(const Vector& x) const {
     std::vector<Press<4>> result;
-    forTouches(x, [&](const Touch& touch) {
+    forTouches(x, 0, [&](const Touch& touch) {
         result.push_back({touch.apart, touch.direction, -touch.value.slope});
     });
     return result;
@@ -146,7 +157,7 @@ std::vector<Press<4>> HardCoreTerm::presses(const Vector& x) const {
 
 void HardCoreTerm::linearise(const Vector& x) {
     m_hessian.parts().clear();
-    forTouches(x, [&](const Touch& touch) {
+    forTouches(x, kAhead, [&](const Touch& touch) {
         m_hessian.parts().push_back(
             {touch.apart, touch.value.curvature * touch.direction * touch.direction.transpose()});
     });

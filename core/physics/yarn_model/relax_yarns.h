@@ -54,6 +54,10 @@ public:
         m_report.verdict = StopRule::Verdict::GoOn;
     }
 
+    /// Residuals are from now on those of this force, as a norm over all nodes, EI/d^2.
+    void measureAgainst(double force) { m_rule.setReference(m_model, force); }
+    double residual(double force) const { return m_rule.residual(force); }
+
     /// Without the audit.
     const YarnRelaxReport& report() const { return m_report; }
     const StepReport& last() const { return m_last; }

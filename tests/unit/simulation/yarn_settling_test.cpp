@@ -149,7 +149,7 @@ protected:
 
 TEST_F(Plain12, ComesToRestWithoutOverlap) {
     EXPECT_EQ(s_settling->phase(), YarnSettling::Phase::Done);
-    EXPECT_EQ(s_settling->report().verdict, physics::StopRule::Verdict::Stagnation);
+    EXPECT_EQ(s_settling->report().verdict, physics::StopRule::Verdict::ResidualReached);
     const YarnAudit audit = s_settling->audit();
     EXPECT_EQ(audit.coreOverlaps, 0);
     EXPECT_GT(audit.expectedCrossings, 500U);

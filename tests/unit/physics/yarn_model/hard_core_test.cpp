@@ -34,6 +34,22 @@ TEST(HardCoreTerm, SeesThinYarnsThatPassBetweenNodes) {
     EXPECT_LT(at(gradient, 8 + 3).z(), 0);
 }
 
+/// Which ends of two segments side by side are the nearest is decided by nothing: the force must not jump.
+TEST(HardCoreTerm, IsSmoothWhereSegmentsLieSideBySide) {
+    const auto forceAt = [](double tilt) {
+        YarnChains chains;
+        chains.yarns = {{1, 0.4, 50, 1, 0.1}};
+        test::addChain(chains, test::line({0, 0, 0}, {0.4, 0, 0}, 2));
+        test::addChain(chains, test::line({0, 0, 0.42 - tilt}, {0.4, 0, 0.42 + tilt}, 2));
+        Vector gradient = Vector::Zero(chains.start().size());
+        HardCoreTerm(chains).evaluate(chains.start(), &gradient);
+        return gradient;
+    };
+    const Vector level = forceAt(0);
+    EXPECT_GT(level.norm(), 0);
+    EXPECT_LT((forceAt(1e-5) - forceAt(-1e-5)).norm(), 0.1 * level.norm());
+}
+
 TEST(HardCoreTerm, LeavesAYarnsOwnBendAlone) {
     YarnChains chains;
     chains.yarns = {{1, 0.5, 50, 1, 0.1}};

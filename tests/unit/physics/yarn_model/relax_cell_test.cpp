@@ -57,9 +57,10 @@ TEST(RelaxCell, EndsInOneShapeFromAllStarts) {
 }
 
 TEST(RelaxCell, EndsInOneShapeByAllSolvers) {
-    const CellShape first = relaxed({"kp"}, 9);
+    CellOptions options;
+    options.relax.residual = 1e-4; // a rib opens and closes at hardly any force
+    const CellShape first = relaxed({"kp"}, 9, acrylic(), options);
     for (const char* integrator : {"fire", "l-bfgs"}) {
-        CellOptions options;
         options.relax.integrator = integrator;
         const CellShape other = relaxed({"kp"}, 9, acrylic(), options);
         expectAtRest(other);
