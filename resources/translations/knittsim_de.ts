@@ -2133,6 +2133,30 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
         <source>Key</source>
         <translation>Taste</translation>
     </message>
+    <message>
+        <source>Pick stitch and yarn</source>
+        <translation>Masche und Garn aufnehmen</translation>
+    </message>
+    <message>
+        <source>right click in the chart</source>
+        <translation>Rechtsklick in der Patrone</translation>
+    </message>
+    <message>
+        <source>Move or repeat a selection</source>
+        <translation>Auswahl verschieben oder wiederholen</translation>
+    </message>
+    <message>
+        <source>drag it, or its edge</source>
+        <translation>sie ziehen, oder ihren Rand</translation>
+    </message>
+    <message>
+        <source>Draw stitch and yarn at once</source>
+        <translation>Masche und Garn zugleich zeichnen</translation>
+    </message>
+    <message>
+        <source>Shift and click the second of them</source>
+        <translation>Umschalt und Klick auf das zweite</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::LegendPanel</name>

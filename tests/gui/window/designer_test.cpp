@@ -60,6 +60,7 @@ private slots:
 
     void aYarnColoursStitchesAndAStitchKeepsTheirColours() {
         twoYarns(12, 10);
+        QVERIFY2(canvas()->isShown(SideColumn::Carrier), "not only when it is drawn with");
         QTest::mouseClick(child<QToolButton>("yarn1"), Qt::LeftButton);
         QVERIFY(child<QLabel>("chartToolHint")->text().contains("carrier 2"));
         stroke({2, 3}, {6, 3});
