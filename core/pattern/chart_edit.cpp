@@ -192,6 +192,31 @@ void tile(Chart& chart, CellRange range, const Chart& part, PasteWhat what) {
     }
 }
 
+void repeatOver(Chart& chart, CellRange range, CellRange source) {
+    source = inside(chart, source);
+    range = inside(chart, range);
+    if (source.empty() || range.empty()) {
+        return;
+    }
+    const Chart part = copyOf(chart, source);
+    const auto firstOf = [](int at, int size, int from) { // of the repeats that reach into the range
+        const int before = at > from ? (at - from + size - 1) / size : -((from - at) / size);
+        return at - before * size;
+    };
+    const int left = firstOf(source.wale, source.width, range.wale);
+    for (int c = firstOf(source.course, source.height, range.course); c < range.course + range.height;
+         c += source.height) {
+        for (int w = left; w < range.wale + range.width; w += source.width) {
+            const int wale = std::max(w, range.wale);
+            const int course = std::max(c, range.course);
+            const CellRange cut{wale - w, course - c,
+                                std::min(w + source.width, range.wale + range.width) - wale,
+                                std::min(c + source.height, range.course + range.height) - course};
+            paste(chart, {wale, course}, copyOf(part, cut));
+        }
+    }
+}
+
 void clear(Chart& chart, CellRange range) {
     range = inside(chart, range);
     dropMoves(chart, range);

@@ -74,6 +74,9 @@ void paste(Chart& chart, CellPlace at, const Chart& part, PasteWhat what = Paste
 /// The part again and again over the range, from its lower left corner.
 void tile(Chart& chart, CellRange range, const Chart& part, PasteWhat what = PasteWhat::Everything);
 
+/// The cells of `source` again and again over the range, to all sides; they stay where they are.
+void repeatOver(Chart& chart, CellRange range, CellRange source);
+
 /// Knit stitches with the yarn that was there, no moved loops.
 void clear(Chart& chart, CellRange range);
 

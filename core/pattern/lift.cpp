@@ -2,7 +2,9 @@
 
 #include "core/formats/formats.h"
 #include "core/machine/profile_library.h"
+#include "core/pattern/backing.h"
 #include "core/pattern/course_compiler.h"
+#include "core/pattern/course_works.h"
 #include "core/pattern/program_courses.h"
 #include "core/yarn/yarn_library.h"
 
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <set>
 
@@ -138,6 +141,43 @@ private:
                                                                 : cell.stitch;
             }
         }
+        if (m_backed && isBacked(colours)) {
+            restoreBothBeds(c);
+        }
+    }
+
+    /// Where the back would not do what the program does, the cell itself works both beds.
+    void restoreBothBeds(int c) {
+        Chart& chart = m_project.chart;
+        std::vector<std::uint64_t> back(static_cast<std::size_t>(chart.width)); // a bit for each yarn
+        for (const int yarn : yarnsOf(chart, c)) {
+            for (const int wale : backingOf(chart, c, yarn)) {
+                back[static_cast<std::size_t>(wale)] |= std::uint64_t{1} << yarn;
+            }
+        }
+        const std::vector<std::uint64_t> knitted = rearYarns(segmentOf(c));
+        for (int wale = 0; wale < chart.width; ++wale) {
+            const auto w = static_cast<std::size_t>(wale);
+            const Cell& own = segmentOf(c).cells[w];
+            if (own.stitch != chart.at(wale, c).stitch && knitted[w] != back[w] &&
+                knitted[w] == std::uint64_t{1} << own.yarn) {
+                chart.at(wale, c) = own;
+            }
+        }
+    }
+
+    /// By wale, a bit for each yarn that the rear bed knits.
+    std::vector<std::uint64_t> rearYarns(const ProgramSegment& segment) const {
+        std::vector<std::uint64_t> yarns(static_cast<std::size_t>(m_project.chart.width));
+        for (std::size_t i = segment.first; i < segment.end; ++i) {
+            const Operation& op = m_input.operations[i];
+            const bool inside = op.needle.index >= 0 && op.needle.index < m_project.chart.width;
+            if (op.kind == OperationKind::Knit && op.needle.bed == machine::Bed::Rear && inside &&
+                op.carriers.size() == 1) {
+                yarns[static_cast<std::size_t>(op.needle.index)] |= std::uint64_t{1} << op.carriers[0];
+            }
+        }
+        return yarns;
     }
 
     bool saysNow(CourseCompiler& compiler, const CourseCompiler::Mark& mark, int c, bool last) const {

@@ -11,7 +11,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <iterator>
 #include <span>
 
 namespace knittsim::pattern {
@@ -23,6 +25,9 @@ using nlohmann::json;
 constexpr std::size_t kMaxProjectBytes = std::size_t{256} << 20;
 constexpr std::string_view kThumbnailKey = "thumbnail";
 constexpr std::string_view kViewKey = "view";
+constexpr std::size_t kMaxShape = 60'000'000;
+constexpr double kMicrometres = 1000;            ///< in a millimetre
+constexpr double kFarthest = 1e9;                ///< micrometres
 constexpr std::size_t kMaxThumbnail = 96 * 1024; ///< it stands at the start of the file
 
 const std::vector<std::string> kMethods{"float", "intarsia", "birdseye", "ladder"}; ///< by ColourMethod
@@ -54,8 +59,8 @@ std::string courseText(const Chart& chart, int c) {
 
 class Reader {
 public:
-    Reader(const json& file, std::string name)
-        : m_name(std::move(name)), m_reader(file, m_name, m_problems) {}
+    Reader(const json& file, std::string name, std::vector<float>* shape)
+        : m_name(std::move(name)), m_reader(file, m_name, m_problems), m_shape(shape) {}
 
     Result<Project> read() {
         const int version = m_reader.integer("knitt", 1, 1'000'000);
@@ -92,6 +97,7 @@ public:
         for (std::size_t c = 0; c < courses.size() && m_problems.empty(); ++c) {
             readCourse(courses[c], static_cast<int>(c));
         }
+        readShape();
         m_reader.rejectUnknownKeys();
         if (version < 3 && both) {
             nameRearBeds(m_project.chart);
@@ -112,6 +118,26 @@ private:
         std::erase_if(m_problems, [](const Diagnostic& problem) {
             return problem.id != "KS0501" && problem.id != "KS0503";
         });
+    }
+
+    void readShape() {
+        if (!m_reader.has("shape")) {
+            return;
+        }
+        const std::vector<json> places = m_reader.array("shape", 3, kMaxShape);
+        const auto isPlace = [](const json& place) {
+            return place.is_number() && std::abs(place.get<double>()) <= kFarthest;
+        };
+        const auto bad = std::ranges::find_if_not(places, isPlace);
+        if (bad != places.end()) {
+            m_reader.report("shape", bad->dump(), "a place in micrometres");
+        } else if (m_shape != nullptr) {
+            m_shape->clear();
+            m_shape->reserve(places.size());
+            for (const json& place : places) {
+                m_shape->push_back(static_cast<float>(place.get<double>() / kMicrometres));
+            }
+        }
     }
 
     void readYarns() {
@@ -157,6 +183,7 @@ private:
     std::string m_name;
     Diagnostics m_problems;
     JsonReader m_reader;
+    std::vector<float>* m_shape;
     Project m_project;
 };
 
@@ -188,15 +215,27 @@ std::string writeProject(const Project& project, const ProjectLook& look) {
     for (int c = 0; c < chart.height(); ++c) {
         text += (c > 0 ? ",\n" : "\n") + courseText(chart, c);
     }
-    return text + "\n]\n}\n";
+    text += "\n]";
+    if (!look.shape.empty()) {
+        text += ",\n\"shape\": [";
+        for (std::size_t i = 0; i < look.shape.size(); ++i) {
+            fmt::format_to(std::back_inserter(text), "{}{}",
+                           i == 0       ? ""
+                           : i % 3 == 0 ? ",\n"
+                                        : ",",
+                           std::lround(static_cast<double>(look.shape[i]) * kMicrometres));
+        }
+        text += ']';
+    }
+    return text + "\n}\n";
 }
 
-Result<Project> readProject(std::string_view text, const std::string& file) {
+Result<Project> readProject(std::string_view text, const std::string& file, std::vector<float>* shape) {
     Result<json> parsed = parseJson(text, file);
     if (!parsed) {
         return Result<Project>::failure(parsed.diagnostics());
     }
-    return Reader(parsed.value(), file).read();
+    return Reader(parsed.value(), file, shape).read();
 }
 
 ProjectLook readLook(const std::filesystem::path& path) {
@@ -214,12 +253,12 @@ ProjectLook readLook(const std::filesystem::path& path) {
     return {valueOf(kThumbnailKey), valueOf(kViewKey)};
 }
 
-Result<Project> readProjectFile(const std::filesystem::path& path) {
+Result<Project> readProjectFile(const std::filesystem::path& path, std::vector<float>* shape) {
     const Result<std::string> text = readFile(path, kMaxProjectBytes);
     if (!text) {
         return Result<Project>::failure(text.diagnostics());
     }
-    return readProject(text.value(), path.string());
+    return readProject(text.value(), path.string(), shape);
 }
 
 bool isProjectFile(const std::filesystem::path& path) {

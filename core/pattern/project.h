@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace knittsim::pattern {
 
@@ -52,29 +53,35 @@ struct Project {
 ///             in          digits of the yarns in action before
 ///             rack        before
 ///             operations  lines of knitout; needles are wales, carriers the digits of yarns
+///     shape      the fabric at rest: x, y and z of each entry of its bonding point table, in micrometres;
+///     may
+///                be missing (since version 4)
 ///
 /// Files of version 1 have neither thumbnail nor colourways. Before version 3 a tuck or miss of a chart on
 /// two beds was on the rear bed where only that held a loop; such cells are read as rear tuck and rear miss.
-constexpr int kProjectVersion = 3;
+constexpr int kProjectVersion = 4;
 constexpr std::string_view kProjectExtension = ".knitt";
 
-/// What is shown beside the chart, in base64; empty: none.
+/// What is shown beside the chart; empty: none.
 struct ProjectLook {
-    std::string thumbnail = {};
-    std::string view = {};
+    std::string thumbnail = {};    ///< base64
+    std::string view = {};         ///< base64
+    std::vector<float> shape = {}; ///< of the fabric at rest: 3 per entry of the bonding point table, mm
 };
 
 std::string writeProject(const Project& project, const ProjectLook& look = {});
 
-/// Thumbnail and view of a project file, without reading the chart.
+/// Thumbnail and view of a project file (not the shape), without reading the chart.
 ProjectLook readLook(const std::filesystem::path& path);
 
 /// Errors: KS0003 to KS0005 with the place in the JSON, KS0509 for a version that is newer than this program,
 /// KS0501 and KS0503. A chart with stitches or yarns that cannot be knitted is read all the same.
-Result<Project> readProject(std::string_view text, const std::string& file);
+/// `shape`: gets that of ProjectLook, where it is not null.
+Result<Project> readProject(std::string_view text, const std::string& file,
+                            std::vector<float>* shape = nullptr);
 
 /// Errors: those of readFile and of above.
-Result<Project> readProjectFile(const std::filesystem::path& path);
+Result<Project> readProjectFile(const std::filesystem::path& path, std::vector<float>* shape = nullptr);
 
 /// By its extension, in whatever case.
 bool isProjectFile(const std::filesystem::path& path);

@@ -37,19 +37,25 @@ Diagnostics keepYarn(const std::filesystem::path& folder, const Yarn& yarn) {
     return writeFileAtomically(fileOf(folder, yarn.id), toJson(yarn)).diagnostics();
 }
 
-Result<Yarn> importYarn(const std::filesystem::path& file, const std::filesystem::path& folder) {
-    Result<Yarn> read = readYarn(file);
+Result<std::vector<Yarn>> importYarns(const std::filesystem::path& file,
+                                      const std::filesystem::path& folder) {
+    Result<std::vector<Yarn>> read = readYarns(file);
     if (!read) {
         return read;
     }
-    Yarn yarn = std::move(read).value();
-    const std::string id = idOf(yarn.id);
-    yarn.id = id;
-    for (int i = 2; isOwn(folder, yarn.id); ++i) { // none is replaced
-        yarn.id = id + '-' + std::to_string(i);
+    std::vector<Yarn> yarns = std::move(read).value();
+    for (Yarn& yarn : yarns) {
+        const std::string id = idOf(yarn.id);
+        yarn.id = id;
+        for (int i = 2; isOwn(folder, yarn.id); ++i) {
+            yarn.id = id + '-' + std::to_string(i);
+        }
+        Diagnostics problems = keepYarn(folder, yarn);
+        if (hasErrors(problems)) {
+            return Result<std::vector<Yarn>>::failure(std::move(problems));
+        }
     }
-    Diagnostics problems = keepYarn(folder, yarn);
-    return hasErrors(problems) ? Result<Yarn>::failure(std::move(problems)) : Result<Yarn>(yarn);
+    return yarns;
 }
 
 bool isOwn(const std::filesystem::path& folder, std::string_view id) {

@@ -19,9 +19,9 @@ std::string idOf(std::string_view name);
 /// idOf(). Errors: KS0002.
 Diagnostics keepYarn(const std::filesystem::path& folder, const Yarn& yarn);
 
-/// Reads a yarn from elsewhere and keeps it; one of the same id is replaced. Errors: those of readYarn() and
-/// of keepYarn().
-Result<Yarn> importYarn(const std::filesystem::path& file, const std::filesystem::path& folder);
+/// Reads a yarn, or a library of them, from elsewhere and keeps them; one that has the id of another gets a
+/// new id, none is replaced. Errors: those of readYarns() and of keepYarn().
+Result<std::vector<Yarn>> importYarns(const std::filesystem::path& file, const std::filesystem::path& folder);
 
 /// True where FOLDER has a file of this id.
 bool isOwn(const std::filesystem::path& folder, std::string_view id);

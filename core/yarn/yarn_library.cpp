@@ -19,6 +19,10 @@ namespace {
 
 /// Largest yarn file that is read; the library's own files have about 2 kB.
 constexpr std::size_t kMaxYarnBytes = std::size_t{1} << 20;
+/// Of a library in one file.
+constexpr std::size_t kMaxLibraryBytes = std::size_t{16} << 20;
+constexpr std::size_t kMostYarns = 10'000;
+constexpr const char* kYarnsKey = "yarns";
 /// Nm and Ne must agree with tex to this part; hand-made files round them.
 constexpr double kCountTolerance = 0.01;
 
@@ -135,7 +139,39 @@ Result<Yarn> readYarn(const std::filesystem::path& path) {
     return bytes ? parseYarn(bytes.value(), path.string()) : Result<Yarn>::failure(bytes.diagnostics());
 }
 
-std::string toJson(const Yarn& yarn) {
+Result<std::vector<Yarn>> parseYarns(std::string_view json, const std::string& file) {
+    const Result<nlohmann::json> document = parseJson(json, file);
+    if (!document) {
+        return Result<std::vector<Yarn>>::failure(document.diagnostics());
+    }
+    Diagnostics diagnostics;
+    std::vector<Yarn> yarns;
+    JsonReader reader(document.value(), file, diagnostics);
+    if (reader.has(kYarnsKey)) {
+        const std::vector<nlohmann::json> all = reader.array(kYarnsKey, 1, kMostYarns);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            JsonReader one(all[i], file, diagnostics, fmt::format("{}[{}]", kYarnsKey, i));
+            yarns.push_back(yarnOf(one));
+        }
+        reader.rejectUnknownKeys();
+    } else {
+        yarns.push_back(yarnOf(reader));
+    }
+    if (hasErrors(diagnostics)) {
+        return Result<std::vector<Yarn>>::failure(std::move(diagnostics));
+    }
+    return yarns;
+}
+
+Result<std::vector<Yarn>> readYarns(const std::filesystem::path& path) {
+    const Result<std::string> bytes = readFile(path, kMaxLibraryBytes);
+    return bytes ? parseYarns(bytes.value(), path.string())
+                 : Result<std::vector<Yarn>>::failure(bytes.diagnostics());
+}
+
+namespace {
+
+nlohmann::ordered_json jsonOf(const Yarn& yarn) {
     nlohmann::ordered_json json;
     json["id"] = yarn.id;
     json["name"] = yarn.name;
@@ -162,8 +198,27 @@ std::string toJson(const Yarn& yarn) {
     if (!yarn.note.empty()) {
         json["note"] = yarn.note;
     }
+    return json;
+}
+
+std::string textOf(const nlohmann::ordered_json& json) {
     using ErrorHandler = nlohmann::ordered_json::error_handler_t;
     return json.dump(2, ' ', false, ErrorHandler::replace) + '\n';
+}
+
+} // namespace
+
+std::string toJson(const Yarn& yarn) {
+    return textOf(jsonOf(yarn));
+}
+
+std::string toJson(std::vector<Yarn> yarns) {
+    std::ranges::stable_sort(yarns, {}, &Yarn::id);
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const Yarn& yarn : yarns) {
+        all.push_back(jsonOf(yarn));
+    }
+    return textOf({{kYarnsKey, all}});
 }
 
 YarnLibrary::YarnLibrary(std::vector<Yarn> yarns) : m_yarns(std::move(yarns)) {

@@ -30,6 +30,13 @@ private:
 Result<Yarn> readYarn(const std::filesystem::path& path);
 Result<Yarn> parseYarn(std::string_view json, const std::string& file);
 
+/// One yarn, or a library in one file: {"yarns": [yarn, ...]}. All of them or none. Errors: as above.
+Result<std::vector<Yarn>> parseYarns(std::string_view json, const std::string& file);
+Result<std::vector<Yarn>> readYarns(const std::filesystem::path& path);
+
+/// A library in one file, for parseYarns(): sorted by id, so that a version control shows what changed.
+std::string toJson(std::vector<Yarn> yarns);
+
 /// The yarn as JSON text, keys in the order of the files in resources/yarns.
 std::string toJson(const Yarn& yarn);
 

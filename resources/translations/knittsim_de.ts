@@ -728,14 +728,6 @@
         <translation>%1 tex</translation>
     </message>
     <message>
-        <source>Count</source>
-        <translation>Nummer</translation>
-    </message>
-    <message>
-        <source>Nm %1 · Ne %2</source>
-        <translation>Nm %1 · Ne %2</translation>
-    </message>
-    <message>
         <source>Outer diameter</source>
         <translation>Außendurchmesser</translation>
     </message>
@@ -915,6 +907,14 @@
         <source>The old loop hangs on the other bed, the new one on its own</source>
         <translation>Die alte Schleife hängt am anderen Bett, die neue am eigenen</translation>
     </message>
+    <message>
+        <source>source not given</source>
+        <translation>Quelle nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Hairiness, melange</source>
+        <translation>Haarigkeit, Melange</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::AboutDialog</name>
@@ -973,8 +973,8 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
         <translation>Fadenführer %1: %2</translation>
     </message>
     <message>
-        <source>Carrier %1. Drop a yarn of the library here; the fabric goes on from its shape.</source>
-        <translation>Fadenführer %1. Zieh ein Garn der Bibliothek hierher; das Gestrick macht mit seiner Form weiter.</translation>
+        <source>Carrier %1. Drop a yarn of the library here; the fabric goes on from its shape. Double click or Enter: another colour.</source>
+        <translation>Fadenführer %1. Hier ein Garn der Sammlung ablegen; das Gestrick geht von seiner Form aus weiter. Doppelklick oder Eingabetaste: andere Farbe.</translation>
     </message>
 </context>
 <context>
@@ -1018,6 +1018,18 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
     <message>
         <source>&amp;Delete your module…</source>
         <translation>Eigenes Modul &amp;löschen…</translation>
+    </message>
+    <message>
+        <source>Search: cable, lace, rib…</source>
+        <translation>Suche: cable, rib, Zopf, Spitze…</translation>
+    </message>
+    <message>
+        <source>Search the stitch catalogue</source>
+        <translation>Den Musterkatalog durchsuchen</translation>
+    </message>
+    <message>
+        <source>Words of the name, or the kind: texture, cable, lace, tuck and slip, shaping</source>
+        <translation>Wörter des Namens oder die Art: Struktur, Zopf, Spitze, Fang und Hebemasche, Formgebung</translation>
     </message>
 </context>
 <context>
@@ -1157,6 +1169,10 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
         <source>Moved loops, as of cables and lace, need a chart on one bed.</source>
         <translation>Umgehängte Maschen, wie bei Zöpfen und Lochmustern, brauchen ein Muster auf einem Bett.</translation>
     </message>
+    <message>
+        <source>shift</source>
+        <translation>verschieben</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::ChartEditor</name>
@@ -1245,10 +1261,6 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
         <translation>Stä&amp;bchen entfernen</translation>
     </message>
     <message>
-        <source>A click lays down %1, its lower left corner first; a drag repeats it.</source>
-        <translation>Ein Klick legt %1 ab, die Ecke links unten zuerst; Ziehen wiederholt es.</translation>
-    </message>
-    <message>
         <source>Save the selection as a m&amp;odule…</source>
         <translation>Auswahl als M&amp;odul speichern…</translation>
     </message>
@@ -1299,6 +1311,106 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
     <message>
         <source>Work on bot&amp;h beds</source>
         <translation>Auf &amp;beiden Betten arbeiten</translation>
+    </message>
+    <message>
+        <source>Stitch and &amp;yarn to draw with</source>
+        <translation>Masche und &amp;Garn zum Zeichnen</translation>
+    </message>
+    <message>
+        <source>Shi&amp;ft, move and repeat</source>
+        <translation>&amp;Umlaufen, verschieben, wiederholen</translation>
+    </message>
+    <message>
+        <source>%1; the yarns stay</source>
+        <translation>%1; die Garne bleiben</translation>
+    </message>
+    <message>
+        <source>yarn of carrier %1; the stitches stay</source>
+        <translation>Garn von Fadenführer %1; die Maschen bleiben</translation>
+    </message>
+    <message>
+        <source>%1 with the yarn of carrier %2</source>
+        <translation>%1 mit dem Garn von Fadenführer %2</translation>
+    </message>
+    <message>
+        <source>Select: drag over cells. Drag the selection to move it, its edge to repeat it.</source>
+        <translation>Auswählen: über Felder ziehen. Die Auswahl ziehen verschiebt, ihr Rand wiederholt sie.</translation>
+    </message>
+    <message>
+        <source>Pencil: %1</source>
+        <translation>Stift: %1</translation>
+    </message>
+    <message>
+        <source>Line: %1</source>
+        <translation>Linie: %1</translation>
+    </message>
+    <message>
+        <source>Rectangle: %1</source>
+        <translation>Rechteck: %1</translation>
+    </message>
+    <message>
+        <source>Fill: %1</source>
+        <translation>Füllen: %1</translation>
+    </message>
+    <message>
+        <source>%1: a click lays it down, a drag repeats it.</source>
+        <translation>%1: ein Klick setzt es, Ziehen wiederholt es.</translation>
+    </message>
+    <message>
+        <source>Choose a stitch of the catalogue (Shift+B).</source>
+        <translation>Ein Muster aus dem Katalog wählen (Umschalt+B).</translation>
+    </message>
+    <message>
+        <source>&amp;Next stitch</source>
+        <translation>&amp;Nächste Masche</translation>
+    </message>
+    <message>
+        <source>&amp;Previous stitch</source>
+        <translation>&amp;Vorige Masche</translation>
+    </message>
+    <message>
+        <source>Next &amp;yarn</source>
+        <translation>Nächstes &amp;Garn</translation>
+    </message>
+    <message>
+        <source>Previous y&amp;arn</source>
+        <translation>Voriges G&amp;arn</translation>
+    </message>
+    <message>
+        <source>P&amp;ick both under the cursor</source>
+        <translation>Beides unter der &amp;Marke aufnehmen</translation>
+    </message>
+    <message>
+        <source>A&amp;dd a yarn</source>
+        <translation>Garn &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>nach links</translation>
+    </message>
+    <message>
+        <source>to the right</source>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>upwards</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>downwards</source>
+        <translation>nach unten</translation>
+    </message>
+    <message>
+        <source>Shift %1</source>
+        <translation>Umlaufend %1</translation>
+    </message>
+    <message>
+        <source>Move the selection %1</source>
+        <translation>Auswahl %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Repeat the selection %1</source>
+        <translation>Auswahl %1 wiederholen</translation>
     </message>
 </context>
 <context>
@@ -2068,6 +2180,30 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
     <message>
         <source>all of them where text is written, arrows in charts</source>
         <translation>alle, wo Text geschrieben wird; Pfeile in Patronen</translation>
+    </message>
+    <message>
+        <source>Pick stitch and yarn</source>
+        <translation>Masche und Garn aufnehmen</translation>
+    </message>
+    <message>
+        <source>right click in the chart</source>
+        <translation>Rechtsklick in der Patrone</translation>
+    </message>
+    <message>
+        <source>Move or repeat a selection</source>
+        <translation>Auswahl verschieben oder wiederholen</translation>
+    </message>
+    <message>
+        <source>drag it, or its edge</source>
+        <translation>sie ziehen, oder ihren Rand</translation>
+    </message>
+    <message>
+        <source>Draw stitch and yarn at once</source>
+        <translation>Masche und Garn zugleich zeichnen</translation>
+    </message>
+    <message>
+        <source>Shift and click the second of them</source>
+        <translation>Umschalt und Klick auf das zweite</translation>
     </message>
 </context>
 <context>
@@ -3229,6 +3365,30 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
         <source>An animation has %1 steps at most, and %2 are chosen: mark a shorter range, or record numbered pictures.</source>
         <translation>Eine Animation hat höchstens %1 Schritte, gewählt sind %2: markiere einen kürzeren Teil oder zeichne nummerierte Bilder auf.</translation>
     </message>
+    <message>
+        <source>Ne&amp;xt colourway</source>
+        <translation>Nä&amp;chste Farbstellung</translation>
+    </message>
+    <message>
+        <source>out of date: the chart has changed</source>
+        <translation>veraltet: die Patrone ist geändert</translation>
+    </message>
+    <message>
+        <source>preview: the yarn has not settled yet</source>
+        <translation>Vorschau: das Garn ist noch nicht in Ruhe</translation>
+    </message>
+    <message>
+        <source>Saved %1, without a shape: the fabric is not at rest</source>
+        <translation>%1 gespeichert, ohne Form: das Gestrick ist nicht in Ruhe</translation>
+    </message>
+    <message>
+        <source>Keep the settled s&amp;hape in the file</source>
+        <translation>&amp;Form in Ruhe mit in die Datei</translation>
+    </message>
+    <message>
+        <source>The fabric lies there at once when the file is opened again</source>
+        <translation>Das Gestrick liegt beim nächsten Öffnen sofort so da</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::NeedleBeds</name>
@@ -3317,6 +3477,22 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
     <message>
         <source>&amp;Beds</source>
         <translation>&amp;Betten</translation>
+    </message>
+    <message>
+        <source> stitches across</source>
+        <translation> Maschen breit</translation>
+    </message>
+    <message>
+        <source> rows up</source>
+        <translation> Reihen hoch</translation>
+    </message>
+    <message>
+        <source>Colours to draw with; more can be added at any time</source>
+        <translation>Farben zum Zeichnen; weitere jederzeit</translation>
+    </message>
+    <message>
+        <source>&amp;Yarns</source>
+        <translation>G&amp;arne</translation>
     </message>
 </context>
 <context>
@@ -4344,6 +4520,13 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
     </message>
 </context>
 <context>
+    <name>knittsim::ui::StitchPalette</name>
+    <message>
+        <source>%1 (E and Shift+E go through the stitches; with Shift the yarn stays chosen)</source>
+        <translation>%1 (E und Umschalt+E gehen die Maschen durch; mit Umschalt bleibt das Garn gewählt)</translation>
+    </message>
+</context>
+<context>
     <name>knittsim::ui::TeachingBoard</name>
     <message>
         <source>Course and operation</source>
@@ -4670,6 +4853,14 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
         <source>another yarn</source>
         <translation>noch ein Garn</translation>
     </message>
+    <message>
+        <source>%1 (O and Shift+O go through the yarns; with Shift the stitch stays chosen)</source>
+        <translation>%1 (O und Umschalt+O gehen die Garne durch; mit Umschalt bleibt die Masche gewählt)</translation>
+    </message>
+    <message>
+        <source>+ Yarn</source>
+        <translation>+ Garn</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::YarnPanel</name>
@@ -4754,10 +4945,6 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
         <translation>&amp;Einlesen…</translation>
     </message>
     <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Ausgeben…</translation>
-    </message>
-    <message>
         <source>The yarn could not be saved</source>
         <translation>Das Garn konnte nicht gespeichert werden</translation>
     </message>
@@ -4770,20 +4957,12 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
         <translation>Garne (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>%1 is no yarn that can be read</source>
-        <translation>%1 ist kein lesbares Garn</translation>
-    </message>
-    <message>
         <source>Export the yarn</source>
         <translation>Garn ausgeben</translation>
     </message>
     <message>
         <source>Yarns (*.json)</source>
         <translation>Garne (*.json)</translation>
-    </message>
-    <message>
-        <source>The yarn could not be written</source>
-        <translation>Das Garn konnte nicht geschrieben werden</translation>
     </message>
     <message>
         <source>Delete the yarn</source>
@@ -4800,6 +4979,30 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
     <message>
         <source>Your own</source>
         <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>&amp;Export this yarn…</source>
+        <translation>Dieses Garn &amp;exportieren…</translation>
+    </message>
+    <message>
+        <source>Export all &amp;own yarns…</source>
+        <translation>Alle ei&amp;genen Garne exportieren…</translation>
+    </message>
+    <message>
+        <source>One file, for other people or a version control</source>
+        <translation>Eine Datei, für andere oder eine Versionsverwaltung</translation>
+    </message>
+    <message>
+        <source>%1 holds no yarns that can be read</source>
+        <translation>%1 enthält keine lesbaren Garne</translation>
+    </message>
+    <message>
+        <source>Export all own yarns</source>
+        <translation>Alle eigenen Garne exportieren</translation>
+    </message>
+    <message>
+        <source>The yarns could not be written</source>
+        <translation>Die Garne konnten nicht geschrieben werden</translation>
     </message>
 </context>
 <context>

@@ -47,6 +47,9 @@ void addMouse(QTreeWidget* list) {
         {KeyDialog::tr("Move the section"), KeyDialog::tr("Alt and wheel")},
         {KeyDialog::tr("Select a stitch"), KeyDialog::tr("click in fabric, grid or source")},
         {KeyDialog::tr("Pull the yarn"), KeyDialog::tr("Ctrl and left drag on yarn")},
+        {KeyDialog::tr("Pick stitch and yarn"), KeyDialog::tr("right click in the chart")},
+        {KeyDialog::tr("Move or repeat a selection"), KeyDialog::tr("drag it, or its edge")},
+        {KeyDialog::tr("Draw stitch and yarn at once"), KeyDialog::tr("Shift and click the second of them")},
         {KeyDialog::tr("Put a yarn on a carrier"), KeyDialog::tr("drag, or double click in the library")}};
     for (const auto& [what, how] : uses) {
         new QTreeWidgetItem(group, {what, how});

@@ -185,6 +185,9 @@ void Document::exchangeFile(const std::shared_ptr<const OpenedFile>& file) {
 
 void Document::tellFile(bool another) {
     m_bridge.load(m_whole, machine::yarnsOf(m_carriers));
+    if (another && m_file->shape.size() == 3 * static_cast<std::size_t>(m_whole->entryCount)) {
+        m_bridge.replace(m_whole, m_file->shape); // as it lay when it was saved
+    }
     emit generationChanged();
     emit fileChanged();
     if (another) {

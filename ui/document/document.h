@@ -100,6 +100,8 @@ public:
     /// Program and fabric are those of the chart, which can be knitted.
     bool fabricFollowsChart() const;
     bool isRebuilding() const { return m_rebuilder.busy(); }
+    /// Yarn was shown before the chart changed, and that of the present chart is not there yet.
+    bool awaitsYarn() const { return m_yarnFollows || (m_yarnRun.running() && !showsYarn()); }
     /// The last loop of a cell; -1 where there is none, or while the fabric does not follow.
     LoopIndex loopOfCell(pattern::CellPlace place) const;
     std::optional<pattern::CellPlace> cellOfLoop(LoopIndex loop) const;
@@ -112,6 +114,9 @@ public:
     void keepCopy() { m_recovery.write(); }   ///< of unsaved changes, at once
     /// Writes the project; the undo stack is clean then. Errors: KS0002.
     Diagnostics save(const QString& path, const pattern::ProjectLook& look = {});
+    /// Places of the chart's whole fabric in the bonding-point model, for ProjectLook; empty unless it is at
+    /// rest.
+    std::vector<float> shapeAtRest() const;
 
     /// Operations carried out in what is shown; 0 .. operationCount().
     OperationIndex step() const { return m_step; }

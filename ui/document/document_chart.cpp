@@ -231,4 +231,10 @@ Diagnostics Document::save(const QString& path, const pattern::ProjectLook& look
     return written.diagnostics();
 }
 
+std::vector<float> Document::shapeAtRest() const {
+    const bool whole = fabricFollowsChart() && m_whole == m_file->fabric;
+    const bool atRest = m_bridge.state() == simulation::State::AtRest || m_yarnRun.exists();
+    return whole && atRest ? presentPlaces() : std::vector<float>{};
+}
+
 } // namespace knittsim::document

@@ -89,7 +89,7 @@ Result<machine::Program> readProgramOf(OpenedFile& file, const machine::ProfileL
     const std::filesystem::path path(request.path.toStdString());
     file.project = request.project;
     if (!file.project && pattern::isProjectFile(path)) {
-        auto project = pattern::readProjectFile(path);
+        auto project = pattern::readProjectFile(path, &file.shape);
         if (!project) {
             file.source = readSource(request);
             file.diagnostics = project.diagnostics();

@@ -43,6 +43,7 @@ struct OpenedFile {
     std::shared_ptr<const StitchGrid> grid;            ///< null with the timeline
     std::vector<CarrierYarn> carriers;
     std::shared_ptr<const pattern::Project> project; ///< null where there is machine data only
+    std::vector<float> shape;                        ///< at rest, as the file has kept it; may be empty
     std::vector<OperationIndex> chartCourseEnds;     ///< operations done after each course of the chart
     std::vector<OperationIndex> passEnds;            ///< operations done after each pass, rising
     std::vector<OperationIndex> courseEnds;          ///< operations done after each course, rising

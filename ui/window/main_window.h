@@ -161,6 +161,7 @@ private:
     void takePins();
     void takeYarnRun();
     void takeDescription();
+    void takeNotice();
     void buildOverlayMenu(QMenu* view);
     void markProblems();
     QString describeLoop(int loop) const;

@@ -6,6 +6,7 @@
 #include "ui/views/chart_editor/chart_editor.h"
 #include "ui/views/chart_editor/new_chart_dialog.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
+#include "ui/views/yarn_library/colourway_bar.h"
 #include "ui/window/banner.h"
 #include "ui/window/main_window.h"
 
@@ -24,13 +25,9 @@ void MainWindow::buildChartMenu() {
     lift->setToolTip(tr("Machine data becomes a chart that can be changed; what a chart cannot say is kept"));
     lift->setEnabled(false);
     menu->addSeparator();
-    for (QAction* action : m_chart->toolActions()) {
-        menu->addAction(action);
-    }
-    menu->addSeparator();
-    for (QAction* action : m_chart->editActions()) {
-        menu->addAction(action);
-    }
+    m_chart->addTo(menu);
+    addAction(menu, "actionNextColourway", tr("Ne&xt colourway"), Qt::CTRL | Qt::ALT | Qt::Key_W, {},
+              [this] { findChild<ColourwayBar*>(QStringLiteral("colourways"))->useNext(); });
     menu->addSeparator();
     buildLookMenus(menu);
 }
@@ -87,9 +84,7 @@ void MainWindow::takeLifted() {
 void MainWindow::takeChart() {
     const bool chart = m_document.project() != nullptr;
     m_patterns->setCurrentWidget(chart ? static_cast<QWidget*>(m_chart) : m_grid);
-    for (QAction* action : m_chart->toolActions() + m_chart->editActions()) {
-        action->setEnabled(chart);
-    }
+    m_chart->setUsable(chart);
     findChild<QAction*>(QStringLiteral("actionEditAsChart"))
         ->setEnabled(!chart && m_document.file() != nullptr);
     if (!chart && m_banner->text() == m_liftedNote) {

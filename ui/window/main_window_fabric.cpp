@@ -29,6 +29,10 @@ void MainWindow::connectFabric() {
         m_status->setRenderer(m_fabric->hasOpenGl() ? m_fabric->rendererName() : tr("Qt, flat"));
     });
     connect(&m_document, &Document::yarnRunChanged, this, &MainWindow::takeYarnRun);
+    for (const auto signal :
+         {&Document::chartFollowed, &Document::yarnRunChanged, &Document::activityChanged}) {
+        connect(&m_document, signal, this, &MainWindow::takeNotice);
+    }
     connect(&m_document, &Document::pinsChanged, this, &MainWindow::takePins);
     connect(&m_document, &Document::yarnsChanged, this,
             [this] { m_fabric->setLooks(looksOf(m_document.carriers())); });
@@ -79,6 +83,14 @@ void MainWindow::takeFrame() {
     m_fabric->setNeedles(m_document.needleHooks());
     m_fabric->setFrame(m_document.shownFrame());
     takeYarnRun();
+}
+
+/// What is out of date says so.
+void MainWindow::takeNotice() {
+    const bool behind = m_document.project() && !m_document.fabricFollowsChart();
+    m_fabric->setNotice(behind                    ? tr("out of date: the chart has changed")
+                        : m_document.awaitsYarn() ? tr("preview: the yarn has not settled yet")
+                                                  : QString());
 }
 
 void MainWindow::takePins() {

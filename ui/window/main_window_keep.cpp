@@ -73,9 +73,12 @@ bool MainWindow::saveChartTo(const QString& path) {
                 .arg(QFileInfo(path).fileName())) != QMessageBox::Yes) {
         return false;
     }
+    const bool wanted = findChild<QAction*>(QStringLiteral("actionSaveShape"))->isChecked();
+    const std::vector<float> shape = wanted ? m_document.shapeAtRest() : std::vector<float>();
     const Diagnostics problems =
         m_document.save(path, {.thumbnail = chartThumbnail(m_document.project()->chart).toStdString(),
-                               .view = m_fabric->saveCamera().toBase64().toStdString()});
+                               .view = m_fabric->saveCamera().toBase64().toStdString(),
+                               .shape = shape});
     if (hasErrors(problems)) {
         m_banner->showMessage(Banner::Kind::Error,
                               tr("%1 could not be saved. %2")
@@ -85,7 +88,10 @@ bool MainWindow::saveChartTo(const QString& path) {
     m_session.setLastFolder(QFileInfo(path).absolutePath());
     m_session.addRecentFile(path);
     takeRecentFiles();
-    statusBar()->showMessage(tr("Saved %1").arg(path), 5000);
+    statusBar()->showMessage(wanted && shape.empty()
+                                 ? tr("Saved %1, without a shape: the fabric is not at rest").arg(path)
+                                 : tr("Saved %1").arg(path),
+                             5000);
     return true;
 }
 

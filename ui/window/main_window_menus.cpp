@@ -9,6 +9,7 @@
 #include "ui/views/simulation_panel/yarn_run_text.h"
 #include "ui/views/step_player/step_player.h"
 #include "ui/views/style/icons.h"
+#include "ui/views/style/menu_pictures.h"
 #include "ui/views/yarn_library/yarn_panel.h"
 #include "ui/window/comparison.h"
 #include "ui/window/gallery.h"
@@ -23,11 +24,19 @@
 
 namespace knittsim::ui {
 
+namespace {
+
+constexpr int kRecentPicture = 40; ///< pixels
+const QString kSaveShapeKey = QStringLiteral("preferences/saveShape");
+
+} // namespace
+
 void MainWindow::buildFileMenu() {
     QMenu* menu = menuBar()->addMenu(tr("&File"));
     addAction(menu, "actionNew", tr("&New chart\u2026"), QKeySequence::New, "new", [this] { newChart(); });
     addAction(menu, "actionOpen", tr("&Open\u2026"), QKeySequence::Open, "open", [this] { chooseFile(); });
     m_recentMenu = menu->addMenu(tr("Open &recent"));
+    showPictures(m_recentMenu, kRecentPicture);
     m_recentMenu->setObjectName(QStringLiteral("recentMenu"));
     m_recentMenu->setToolTipsVisible(true);
     QMenu* samples = menu->addMenu(icon(QStringLiteral("samples")), tr("&Samples"));
@@ -47,6 +56,12 @@ void MainWindow::buildFileMenu() {
     addAction(menu, "actionSave", tr("&Save"), QKeySequence::Save, "save", [this] { saveChart(); });
     addAction(menu, "actionSaveAs", tr("Save &as\u2026"), QKeySequence(tr("Ctrl+Shift+S")), {},
               [this] { saveChartAs(); });
+    QAction* shape =
+        addChoice(menu, nullptr, "actionSaveShape", tr("Keep the settled s&hape in the file"), {}, {}, [] {});
+    shape->setToolTip(tr("The fabric lies there at once when the file is opened again"));
+    shape->setChecked(m_session.value(kSaveShapeKey) == "1");
+    connect(shape, &QAction::toggled, this,
+            [this](bool on) { m_session.setValue(kSaveShapeKey, on ? "1" : "0"); });
     addAction(menu, "actionExportMachine", tr("Export &machine data\u2026"), QKeySequence(tr("Ctrl+Shift+D")),
               {}, [this] { exportMachineData(); });
     menu->addSeparator();

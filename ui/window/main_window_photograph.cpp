@@ -4,7 +4,6 @@
 #include "ui/window/photograph_card.h"
 
 #include <QAction>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QImageReader>
 #include <QMenu>
@@ -70,8 +69,8 @@ void MainWindow::takePhotographActions() {
 }
 
 void MainWindow::choosePhotograph() {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open a photograph"), m_session.lastFolder(),
-                                                      tr("Photographs (*.png *.jpg *.jpeg);;All files (*)"));
+    const QString path =
+        askWhich(tr("Open a photograph"), tr("Photographs (*.png *.jpg *.jpeg);;All files (*)"));
     if (!path.isEmpty()) {
         Photograph wanted;
         wanted.path = path;

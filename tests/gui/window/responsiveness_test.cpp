@@ -3,6 +3,7 @@
 #include "core/pattern/swatch.h"
 #endif
 
+#include "ui/views/chart_editor/chart_canvas.h"
 #include "ui/views/fabric_view/fabric_view.h"
 #include "ui/views/pattern_editor/pattern_grid.h"
 #include "ui/views/style/appearance.h"
@@ -14,6 +15,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <QUndoStack>
 
 #include <algorithm>
 #include <ctime>
@@ -201,6 +203,51 @@ private slots:
             grid->zoomIn();
         }
         delete grid;
+    }
+
+    /// What a paint, a move of the pencil and the end of its stroke cost the window.
+    void drawingAChartOf500x500() {
+        MainWindow window;
+        window.resize(1280, 800);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        auto project = std::make_shared<pattern::Project>();
+        project->chart = pattern::plainChart(500, 500);
+        QSignalSpy opened(&window.document(), &document::Document::opened);
+        window.document().openProject("500 x 500", project);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 120000);
+        window.document().stop();
+        auto* canvas = window.findChild<ChartCanvas*>("chartCanvas");
+        canvas->setTool(ChartTool::Pencil);
+        const auto cost = [](const auto& work) {
+            const double before = threadMs();
+            work();
+            return threadMs() - before;
+        };
+        for (int zoom = 0; zoom < 4; ++zoom) {
+            const double paint = cost([&] { canvas->viewport()->repaint(); });
+            const auto place = [&](int i) {
+                const ChartGeometry& at = canvas->geometryOfChart();
+                const int course = at.visibleCourses().first + 3 + i;
+                return at.cellRect(course, at.visibleColumns().first + 3 + i).center();
+            };
+            QTest::mousePress(canvas->viewport(), Qt::LeftButton, {}, place(0));
+            double move = 0;
+            for (int i = 1; i <= 10; ++i) {
+                move = std::max(move, cost([&] {
+                                    QTest::mouseMove(canvas->viewport(), place(i));
+                                    canvas->viewport()->repaint();
+                                }));
+            }
+            const double edit =
+                cost([&] { QTest::mouseRelease(canvas->viewport(), Qt::LeftButton, {}, place(10)); });
+            qInfo("chart of 500 x 500, cells of %d: ms of processor time a paint %.1f, a move of the pencil "
+                  "%.1f at most, the edit at its end %.1f",
+                  canvas->geometryOfChart().cellWidth, paint, move, edit);
+            QCOMPARE(window.document().undoStack()->count(), zoom + 1);
+            canvas->zoomIn();
+            canvas->zoomIn();
+        }
     }
 
     /// The slider is drawn over a long program: 33 ms a step are 30 pictures a second.

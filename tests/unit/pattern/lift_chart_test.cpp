@@ -215,7 +215,8 @@ TEST(LiftChart, ChartsOnTwoBedsPassTheChecks) {
     }
 }
 
-/// Two to four colours in patches, here and there a tuck or a miss; the back is knitted by one method.
+/// Two to four colours in patches, here and there another stitch, also on both beds; the back is knitted by
+/// one method.
 Chart backedChart(std::mt19937& random) {
     const auto upTo = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
     Chart chart(8 + upTo(16), 5 + upTo(12));
@@ -232,7 +233,10 @@ Chart backedChart(std::mt19937& random) {
             chart.at(w, c) = {Stitch::Knit, same ? chart.at(w - 1, c).yarn : yarn};
         }
         for (int i = c > 0 ? upTo(2) : 0; i > 0; --i) {
-            chart.at(upTo(chart.width - 1), c).stitch = upTo(1) == 0 ? Stitch::Tuck : Stitch::Miss;
+            static constexpr std::array kOthers{Stitch::Tuck, Stitch::Miss, Stitch::Both, Stitch::Both,
+                                                Stitch::TuckKnit};
+            chart.at(upTo(chart.width - 1), c).stitch =
+                kOthers[static_cast<std::size_t>(upTo(static_cast<int>(kOthers.size()) - 1))];
         }
     }
     return chart;
@@ -255,14 +259,46 @@ bool showsItsBack(const Chart& chart) {
     return shows;
 }
 
+/// Of two charts that are knitted alike the simpler one: the back behind a cell may be what a stitch on both
+/// beds would do.
+Chart simplest(Chart chart) {
+    for (int c = 0; c < chart.height(); ++c) {
+        for (int w = 0; w < chart.width; ++w) {
+            const Cell before = chart.at(w, c);
+            if (before.stitch != Stitch::Both && before.stitch != Stitch::TuckKnit) {
+                continue;
+            }
+            chart.at(w, c).stitch = before.stitch == Stitch::Both ? Stitch::Knit : Stitch::Tuck;
+            for (const int yarn : yarnsOf(chart, c)) {
+                const std::vector<int> back = backingOf(chart, c, yarn);
+                const bool knits = std::ranges::binary_search(back, w);
+                if (knits != (yarn == before.yarn)) {
+                    chart.at(w, c) = before;
+                    break;
+                }
+            }
+        }
+    }
+    return chart;
+}
+
+bool startsPlain(const Chart& chart) {
+    return std::all_of(chart.cells.begin(), chart.cells.begin() + chart.width,
+                       [](const Cell& cell) { return cell.stitch == Stitch::Knit; });
+}
+
 TEST(LiftChart, BackedColoursComeBack) {
     std::mt19937 random(41);
     int shown = 0;
     for (int i = 0; i < 300 && !testing::Test::HasFailure(); ++i) {
-        const Chart chart = backedChart(random);
+        const Chart chart = simplest(backedChart(random));
         shown += showsItsBack(chart) ? 1 : 0;
         expectNone(
-            chart, [](const Chart& c) { return showsItsBack(c) ? liftsBack(c) : std::string(); }, i);
+            chart,
+            [](const Chart& c) {
+                return startsPlain(c) && showsItsBack(c) && simplest(c) == c ? liftsBack(c) : std::string();
+            },
+            i);
     }
     EXPECT_GE(shown, 280);
 }

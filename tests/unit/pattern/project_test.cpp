@@ -7,6 +7,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <random>
+#include <string_view>
 
 namespace knittsim::pattern {
 namespace {
@@ -44,7 +46,7 @@ TEST(Project, TellsWhatIsWrong) {
         return idOf(text);
     };
     EXPECT_EQ(idOf(good), "fine");
-    EXPECT_EQ(with("\"knitt\": 3", "\"knitt\": 4"), "KS0509");
+    EXPECT_EQ(with("\"knitt\": 4", "\"knitt\": 5"), "KS0509");
     EXPECT_EQ(with("\"kkk\"", "\"kk\""), "KS0004");
     EXPECT_EQ(with("\"kkk\"", "\"kxk\""), "KS0004");
     EXPECT_EQ(with("\"yarns\": \"0\"", "\"yarns\": \"4\""), "fine"); // it can be mended
@@ -64,10 +66,83 @@ TEST(Project, AFileOfVersion1IsReadAndBecomesTheNewest) {
     EXPECT_TRUE(read.value().colourways.all.empty());
     EXPECT_EQ(read.value().chart.at(1, 0).stitch, Stitch::Purl);
     const std::string now = writeProject(read.value());
-    EXPECT_NE(now.find("\"knitt\": 3"), std::string::npos);
+    EXPECT_NE(now.find("\"knitt\": 4"), std::string::npos);
     const auto again = readProject(now, "a.knitt");
     ASSERT_TRUE(again);
     EXPECT_EQ(again.value(), read.value());
+}
+
+TEST(Project, KeepsTheShapeToAMicrometre) {
+    const Project project{plainChart(3, 2), CastOn::Open, Ending::Held, {}};
+    const std::vector<float> shape{0.0F, -1.2345F, 30.5F, 1.0F, 2.0F, 3.0F};
+    std::vector<float> back;
+    const auto read = readProject(writeProject(project, {.shape = shape}), "a.knitt", &back);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read.value(), project);
+    ASSERT_EQ(back.size(), shape.size());
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+        EXPECT_NEAR(back[i], shape[i], 0.0006);
+    }
+    EXPECT_EQ(writeProject(project).find("shape"), std::string::npos) << "it is optional";
+    std::string bad = writeProject(project, {.shape = shape});
+    bad.replace(bad.find("30500"), 5, "null");
+    EXPECT_EQ(idOf(bad), "KS0004");
+}
+
+TEST(Project, AFileOfVersion3HasNoShapeAndBecomesTheNewest) {
+    std::string old = writeProject({plainChart(3, 2), CastOn::Open, Ending::Held, {}});
+    old.replace(old.find("\"knitt\": 4"), 10, "\"knitt\": 3");
+    std::vector<float> shape{1, 2, 3};
+    const auto read = readProject(old, "a.knitt", &shape);
+    ASSERT_TRUE(read);
+    EXPECT_NE(writeProject(read.value()).find("\"knitt\": 4"), std::string::npos);
+}
+
+/// Bytes are changed, put in and taken out at random.
+TEST(Project, DamagedFilesAreReadAsSomethingWholeOrRefusedInWords) {
+    Chart chart = plainChart(5, 4);
+    chart.course(2).moves = cross(0, 2, 2, Front::Left);
+    const std::string good =
+        writeProject({chart, CastOn::Open, Ending::Held, "kniterate"}, {.shape = {1, 2, 3, 4, 5, 6}});
+    std::mt19937 random(5);
+    const auto upTo = [&](std::size_t most) {
+        return std::uniform_int_distribution<std::size_t>(0, most)(random);
+    };
+    int read = 0;
+    for (int i = 0; i < 3000; ++i) {
+        std::string text = good;
+        for (std::size_t changes = 1 + upTo(2); changes > 0; --changes) {
+            const std::size_t at = upTo(text.size() - 1);
+            static constexpr std::string_view kBytes = "0123456789-.,:[]{}\"kptmb e\\\xff";
+            const char byte = kBytes[upTo(kBytes.size() - 1)];
+            switch (upTo(3)) {
+            case 0:
+                text[at] = byte;
+                break;
+            case 1:
+                text.insert(at, 1, byte);
+                break;
+            case 2:
+                text.erase(at, 1 + upTo(20));
+                break;
+            default:
+                text.insert(at, text.substr(upTo(text.size() - 1), upTo(30)));
+                break;
+            }
+        }
+        std::vector<float> shape;
+        const auto back = readProject(text, "a.knitt", &shape);
+        if (!back) {
+            ASSERT_FALSE(back.diagnostics().empty()) << text;
+            continue;
+        }
+        ++read;
+        const auto again = readProject(writeProject(back.value(), {.shape = shape}), "a.knitt");
+        ASSERT_TRUE(again) << text;
+        ASSERT_EQ(again.value(), back.value()) << text;
+    }
+    EXPECT_GT(read, 30);
+    EXPECT_LT(read, 2900);
 }
 
 TEST(Project, AFileOfVersion2NamesTheRearBedOfItsTucksAndMisses) {

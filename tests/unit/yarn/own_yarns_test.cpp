@@ -39,15 +39,50 @@ TEST_F(OwnYarns, NoIdLeavesTheFolder) {
 TEST_F(OwnYarns, ABadFileIsNotImported) {
     std::filesystem::create_directories(m_folder);
     ASSERT_TRUE(writeFileAtomically(m_folder / "in.txt", "{\"id\": \"x\"}"));
-    const auto read = importYarn(m_folder / "in.txt", m_folder / "own");
+    const auto read = importYarns(m_folder / "in.txt", m_folder / "own");
     ASSERT_FALSE(read);
     EXPECT_EQ(read.diagnostics().front().id, "KS0005");
     EXPECT_FALSE(std::filesystem::exists(m_folder / "own"));
     Yarn yarn = defaultYarn();
     yarn.id = "Some Id";
     ASSERT_TRUE(writeFileAtomically(m_folder / "in.txt", toJson(yarn)));
-    ASSERT_TRUE(importYarn(m_folder / "in.txt", m_folder / "own"));
+    ASSERT_TRUE(importYarns(m_folder / "in.txt", m_folder / "own"));
     EXPECT_TRUE(isOwn(m_folder / "own", "some-id"));
+}
+
+TEST_F(OwnYarns, ALibraryInOneFileComesBackWhole) {
+    std::filesystem::create_directories(m_folder);
+    Yarn wool = defaultYarn();
+    wool.id = "wool";
+    wool.sources = {{"friction", "measured on a tensiometer"}};
+    Yarn linen = defaultYarn();
+    linen.id = "linen";
+    linen.tex = 26;
+    linen.count = "26 tex";
+    const std::string text = toJson({wool, linen});
+    EXPECT_LT(text.find("\"linen\""), text.find("\"wool\"")) << "in the order of the ids";
+    EXPECT_EQ(text, toJson({linen, wool}));
+    ASSERT_TRUE(writeFileAtomically(m_folder / "all.json", text));
+    const auto read = importYarns(m_folder / "all.json", m_folder / "own");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read.value(), (std::vector<Yarn>{linen, wool}));
+    const auto again = importYarns(m_folder / "all.json", m_folder / "own");
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again.value().front().id, "linen-2") << "none is replaced";
+    EXPECT_TRUE(isOwn(m_folder / "own", "linen"));
+}
+
+TEST_F(OwnYarns, OneBadYarnOfALibraryIsNamedAndNoneIsTaken) {
+    Yarn good = defaultYarn();
+    std::string text = toJson({good, good});
+    const std::string key = "\"friction\": ";
+    const std::size_t last = text.rfind(key) + key.size();
+    text.replace(last, text.find(',', last) - last, "7");
+    const auto read = parseYarns(text, "all.json");
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.diagnostics().size(), 1U);
+    EXPECT_EQ(read.diagnostics().front().arguments.front(), "yarns[1].friction");
+    EXPECT_FALSE(parseYarns("{\"yarns\": []}", "all.json"));
 }
 
 } // namespace

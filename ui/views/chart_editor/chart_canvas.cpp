@@ -14,6 +14,7 @@ using pattern::Chart;
 namespace {
 
 constexpr int kHandle = 9; ///< pixels
+constexpr int kGrip = 3;   ///< pixels on both sides of an edge
 
 } // namespace
 
@@ -60,6 +61,12 @@ void ChartCanvas::takeChart() {
 const Chart& ChartCanvas::shown() const {
     static const Chart kNone;
     return m_stroke ? m_stroke->chart() : m_moved ? *m_moved : m_project ? m_project->chart : kNone;
+}
+
+void ChartCanvas::setModule(const pattern::Module* module) {
+    m_module = module;
+    emit toolChanged();
+    viewport()->update();
 }
 
 void ChartCanvas::setTool(ChartTool tool) {
@@ -133,6 +140,59 @@ QRect ChartCanvas::handle() const {
     return m_selection.empty() ? QRect()
                                : QRect(rectOf(m_selection).topRight() - QPoint(kHandle / 2, kHandle / 2),
                                        QSize(kHandle, kHandle));
+}
+
+Qt::Edges ChartCanvas::edgesAt(QPoint position) const {
+    if (m_selection.empty()) {
+        return {};
+    }
+    if (handle().adjusted(-3, -3, 3, 3).contains(position)) {
+        return Qt::RightEdge | Qt::TopEdge;
+    }
+    const QRect rect = rectOf(m_selection);
+    if (!rect.adjusted(-kGrip, -kGrip, kGrip, kGrip).contains(position)) {
+        return {};
+    }
+    const auto near = [](int a, int b) { return std::abs(a - b) <= kGrip; };
+    Qt::Edges edges;
+    edges.setFlag(Qt::LeftEdge, near(position.x(), rect.left()));
+    edges.setFlag(Qt::RightEdge, near(position.x(), rect.right()));
+    edges.setFlag(Qt::TopEdge, near(position.y(), rect.top()));
+    edges.setFlag(Qt::BottomEdge, near(position.y(), rect.bottom()));
+    return edges;
+}
+
+/// The pointer tells what a drag will do.
+void ChartCanvas::showGrip(QPoint position) {
+    if (m_tool != ChartTool::Select) {
+        return;
+    }
+    const Qt::Edges edges = edgesAt(position);
+    const bool across = edges & (Qt::LeftEdge | Qt::RightEdge);
+    const bool up = edges & (Qt::TopEdge | Qt::BottomEdge);
+    const auto place = placeAt(position);
+    viewport()->setCursor(across && up                            ? Qt::SizeAllCursor
+                          : across                                ? Qt::SizeHorCursor
+                          : up                                    ? Qt::SizeVerCursor
+                          : place && m_selection.contains(*place) ? Qt::OpenHandCursor
+                                                                  : Qt::ArrowCursor);
+}
+
+/// What a click of the stamp covers.
+CellRange ChartCanvas::stampRange(CellPlace at) const {
+    return pattern::inside(shown(), {at.wale, at.course, m_module->part.width, m_module->part.height()});
+}
+
+void ChartCanvas::hover(std::optional<CellPlace> place) {
+    if (place) {
+        emit hovered(textOf(*place));
+    }
+    if (place != m_hovered) {
+        m_hovered = place;
+        if (m_tool == ChartTool::Stamp) {
+            viewport()->update();
+        }
+    }
 }
 
 void ChartCanvas::moveCursor(int across, int up, bool selecting) {

@@ -13,8 +13,9 @@
 namespace knittsim::ui {
 
 /// The chart that is edited. The left button draws with the tool at hand, the right one picks stitch and
-/// yarn, the middle one moves the chart. Arrow keys move a cursor (with Shift they select), Return uses the
-/// tool there.
+/// yarn, the middle one moves the chart. With the tool Select a selection is moved by dragging it and
+/// repeated by dragging its edges. Arrow keys move a cursor (with Shift they select), Return uses the tool
+/// there.
 class ChartCanvas : public ChartArea {
     Q_OBJECT
 
@@ -25,7 +26,8 @@ public:
     void setTool(ChartTool tool);
     const pattern::Brush& brush() const { return m_brush; }
     void setBrush(const pattern::Brush& brush) { m_brush = brush; }
-    void setModule(const pattern::Module* module) { m_module = module; }
+    void setModule(const pattern::Module* module);
+    const pattern::Module* module() const { return m_module; }
 
     /// Selected cells; empty when none are.
     pattern::CellRange selection() const { return m_selection; }
@@ -42,6 +44,13 @@ public:
     void rotate();
     /// The selection again and again over the whole chart.
     void repeat();
+    /// The edge of the selection goes so many wales and courses outwards; what is selected fills it.
+    void repeatBy(int wales, int courses);
+    /// Of the selection, else of all: what leaves on one side comes in on the other.
+    void shift(int wales, int courses);
+    void moveSelected(int wales, int courses);
+    /// Stitch and yarn under the cursor.
+    void pick();
     void insertCourses();
     void removeCourses();
     void insertWales();
@@ -67,6 +76,7 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     bool event(QEvent* event) override;
     bool viewportEvent(QEvent* event) override;
@@ -82,6 +92,9 @@ private:
     pattern::CellRange target() const; ///< the selection, else the cell under the cursor
     void beginStroke(pattern::CellPlace at);
     void endStroke();
+    /// The edges of the selection at a position.
+    Qt::Edges edgesAt(QPoint position) const;
+    void showGrip(QPoint position);
     void beginSelecting(QPoint position);
     void dragSelection(pattern::CellPlace at);
     void endSelecting();
@@ -90,6 +103,8 @@ private:
     void show(pattern::CellPlace place);
     QRect handle() const; ///< that repeats the selection when it is dragged
     QRect rectOf(pattern::CellRange range) const;
+    pattern::CellRange stampRange(pattern::CellPlace at) const;
+    void hover(std::optional<pattern::CellPlace> place);
     QString textOf(pattern::CellPlace place) const;
     QColor colourOf(const pattern::Cell& cell) const;
 
@@ -121,8 +136,12 @@ private:
     std::optional<ChartStroke> m_stroke;
     std::optional<pattern::Chart> m_moved; ///< the chart while the selection is dragged
     Drag m_drag = Drag::None;
+    Qt::Edges m_dragged; ///< of the selection, while it is repeated
+    std::optional<pattern::CellPlace> m_hovered;
     pattern::CellRange m_selection;
     pattern::CellRange m_rangeAtPress;
+    pattern::CellRange m_repeated; ///< the selection that repeatBy() has left, of the cells below
+    pattern::CellRange m_repeatedFrom;
     pattern::CellPlace m_cellAtPress;
     pattern::CellPlace m_cursor;
     pattern::CellPlace m_anchor; ///< of a selection by keys

@@ -3,6 +3,9 @@
 #include "ui/views/chart_editor/chart_canvas.h"
 #include "ui/views/chart_editor/chart_clipboard.h"
 
+#include <algorithm>
+#include <cstdlib>
+
 namespace knittsim::ui {
 
 using pattern::CellPlace;
@@ -45,21 +48,50 @@ void ChartCanvas::rotate() {
 }
 
 void ChartCanvas::repeat() {
+    m_document.editChart(tr("repeat"), [this](Chart& chart) {
+        pattern::repeatOver(chart, {0, 0, chart.width, chart.height()}, m_selection);
+    });
+}
+
+void ChartCanvas::repeatBy(int wales, int courses) {
     if (m_selection.empty()) {
         return;
     }
-    m_document.editChart(tr("repeat"), [this](Chart& chart) {
-        const Chart part = pattern::copyOf(chart, m_selection);
-        // The selection stays where it is; the repeats reach from it to all sides.
-        const auto start = [](int at, int size) { return at - (at + size - 1) / size * size; };
-        const int left = start(m_selection.wale, part.width);
-        const int bottom = start(m_selection.course, part.height());
-        for (int c = bottom; c < chart.height(); c += part.height()) {
-            for (int w = left; w < chart.width; w += part.width) {
-                pattern::paste(chart, {w, c}, part);
-            }
-        }
+    const CellRange before = m_selection;
+    const CellRange range =
+        pattern::inside(shown(), {before.wale + std::min(wales, 0), before.course + std::min(courses, 0),
+                                  before.width + std::abs(wales), before.height + std::abs(courses)});
+    const CellRange from = before == m_repeated ? m_repeatedFrom : before; // the same key again
+    m_document.editChart(tr("repeat"), [&](Chart& chart) { pattern::repeatOver(chart, range, from); });
+    select(range);
+    m_repeated = range;
+    m_repeatedFrom = from;
+}
+
+void ChartCanvas::shift(int wales, int courses) {
+    const CellRange all{0, 0, shown().width, shown().height()};
+    const CellRange range = m_selection.empty() ? all : m_selection;
+    m_document.editChart(tr("shift"), [&](Chart& chart) { pattern::shift(chart, range, wales, courses); });
+}
+
+void ChartCanvas::moveSelected(int wales, int courses) {
+    const CellRange from = m_selection;
+    const CellRange to{from.wale + wales, from.course + courses, from.width, from.height};
+    if (from.empty() || to != pattern::inside(shown(), to)) {
+        return;
+    }
+    m_document.editChart(tr("move"), [&](Chart& chart) {
+        const Chart part = pattern::copyOf(chart, from);
+        pattern::clear(chart, from);
+        pattern::paste(chart, {to.wale, to.course}, part);
     });
+    select(to);
+}
+
+void ChartCanvas::pick() {
+    if (m_project) {
+        emit picked(shown().at(m_cursor.wale, m_cursor.course));
+    }
 }
 
 void ChartCanvas::insertCourses() {

@@ -18,7 +18,8 @@ using pattern::Chart;
 void ChartCanvas::beginSelecting(QPoint position) {
     m_rangeAtPress = m_selection;
     m_cellAtPress = nearestPlace(position);
-    if (handle().adjusted(-3, -3, 3, 3).contains(position)) {
+    m_dragged = edgesAt(position);
+    if (m_dragged) {
         m_drag = Drag::Tile;
     } else if (!m_selection.empty() && m_selection.contains(m_cellAtPress)) {
         m_drag = Drag::Move;
@@ -41,10 +42,17 @@ void ChartCanvas::dragSelection(CellPlace at) {
         pattern::paste(*m_moved, to, part);
         select({to.wale, to.course, from.width, from.height});
     } else if (m_drag == Drag::Tile) {
-        const CellRange range{from.wale, from.course, std::max(from.width, at.wale - from.wale + 1),
-                              std::max(from.height, at.course - from.course + 1)};
+        int left = from.wale;
+        int right = from.wale + from.width - 1;
+        int bottom = from.course;
+        int top = from.course + from.height - 1;
+        left = m_dragged & Qt::LeftEdge ? std::min(left, at.wale) : left;
+        right = m_dragged & Qt::RightEdge ? std::max(right, at.wale) : right;
+        bottom = m_dragged & Qt::BottomEdge ? std::min(bottom, at.course) : bottom;
+        top = m_dragged & Qt::TopEdge ? std::max(top, at.course) : top;
+        const CellRange range = pattern::rangeOf({left, bottom}, {right, top});
         m_moved = m_project->chart;
-        pattern::tile(*m_moved, range, pattern::copyOf(m_project->chart, from));
+        pattern::repeatOver(*m_moved, range, from);
         select(range);
     }
     viewport()->update();
@@ -104,8 +112,9 @@ void ChartCanvas::mouseMoveEvent(QMouseEvent* event) {
         scrollFrom(position);
         return;
     }
-    if (const auto place = placeAt(position)) {
-        emit hovered(textOf(*place));
+    hover(placeAt(position));
+    if (event->buttons() == Qt::NoButton) {
+        showGrip(position);
     }
     if (m_stroke) {
         m_stroke->moveTo(nearestPlace(position));
@@ -127,6 +136,11 @@ void ChartCanvas::mouseReleaseEvent(QMouseEvent* event) {
             endSelecting();
         }
     }
+}
+
+void ChartCanvas::leaveEvent(QEvent* event) {
+    hover(std::nullopt);
+    ChartArea::leaveEvent(event);
 }
 
 void ChartCanvas::keyPressEvent(QKeyEvent* event) {

@@ -133,6 +133,15 @@ void ChartCanvas::paintMarks(QPainter& painter) const {
         painter.setPen(QPen(highlight, 2));
         painter.drawRect(rectOf({cell->wale, cell->course, 1, 1}).adjusted(0, 0, -1, -1));
     }
+    const bool stamps = m_tool == ChartTool::Stamp && m_module && m_hovered && !m_stroke;
+    if (const pattern::CellRange stamp = stamps ? stampRange(*m_hovered) : pattern::CellRange{};
+        !stamp.empty()) {
+        const QRect rect = rectOf(stamp).adjusted(0, 0, -1, -1);
+        painter.setPen(QPen(palette().color(QPalette::Base), 3));
+        painter.drawRect(rect);
+        painter.setPen(QPen(highlight, 2, Qt::DashLine));
+        painter.drawRect(rect);
+    }
     if (hasFocus()) {
         painter.setPen(QPen(palette().color(QPalette::Text), 1, Qt::DotLine));
         painter.drawRect(rectOf({m_cursor.wale, m_cursor.course, 1, 1}).adjusted(1, 1, -2, -2));

@@ -95,7 +95,7 @@ void ChartCanvas::takeNotes() {
         notes.push_back(
             {yarnsOf(c), stitch, course.stitchNumber.has_value(), static_cast<double>(course.rack)});
     }
-    setNotes(std::move(notes));
+    setNotes(std::move(notes), shown().yarns.size() > 1);
 }
 
 /// The courses of the selection, where it holds this one.

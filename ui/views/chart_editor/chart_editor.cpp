@@ -6,12 +6,15 @@
 #include "ui/views/chart_editor/colour_method_menu.h"
 #include "ui/views/chart_editor/own_module_dialogs.h"
 #include "ui/views/chart_editor/palettes.h"
+#include "ui/views/chart_editor/stitch_picture.h"
 #include "ui/views/style/appearance.h"
 #include "ui/views/style/icons.h"
 
 #include <QActionGroup>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -22,32 +25,43 @@ ChartEditor::ChartEditor(document::Document& document, ChartLook& look, QWidget*
     : QWidget(parent), m_document(document), m_canvas(new ChartCanvas(document, look, this)),
       m_stitches(new StitchPalette(look, this)), m_yarns(new YarnPalette(document, this)),
       m_catalogue(new CataloguePopup(look, this)), m_tools(new QToolBar(this)),
-      m_toolGroup(new QActionGroup(this)), m_hint(new QLabel(this)) {
+      m_toolGroup(new QActionGroup(this)), m_toolHint(new QLabel(this)), m_hint(new QLabel(this)),
+      m_brushMenu(new QMenu(tr("Stitch and &yarn to draw with"), this)),
+      m_directionMenu(new QMenu(tr("Shi&ft, move and repeat"), this)) {
     setObjectName(QStringLiteral("chartEditor"));
     m_tools->setIconSize({18, 18});
     buildTools();
     buildEdits();
+    buildCourseEdits();
+    buildDirections();
+    buildBrushMenu();
     auto* palettes = new QHBoxLayout;
     palettes->setContentsMargins(6, 0, 6, 2);
     palettes->addWidget(m_stitches);
     palettes->addSpacing(8);
     palettes->addWidget(m_yarns, 1);
+    m_toolHint->setObjectName(QStringLiteral("chartToolHint"));
     m_hint->setObjectName(QStringLiteral("chartHint"));
-    m_hint->setContentsMargins(8, 2, 8, 4);
-    m_hint->setTextFormat(Qt::PlainText);
-    m_hint->setMinimumWidth(0);
-    m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    for (QLabel* line : {m_toolHint, m_hint}) {
+        line->setTextFormat(Qt::PlainText);
+        line->setMinimumWidth(0);
+        line->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    }
+    m_toolHint->setContentsMargins(8, 3, 8, 0);
+    m_hint->setContentsMargins(8, 1, 8, 4);
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(0);
     rows->addWidget(m_tools);
     rows->addLayout(palettes);
     rows->addWidget(m_canvas, 1);
+    rows->addWidget(m_toolHint);
     rows->addWidget(m_hint);
     setFocusProxy(m_canvas);
 
-    connect(m_stitches, &StitchPalette::changed, this, &ChartEditor::takeBrush);
-    connect(m_yarns, &YarnPalette::changed, this, &ChartEditor::takeBrush);
+    connect(m_stitches, &StitchPalette::changed, this, &ChartEditor::takeStitch);
+    connect(m_yarns, &YarnPalette::changed, this, &ChartEditor::takeYarn);
+    connect(m_canvas, &ChartCanvas::toolChanged, this, &ChartEditor::takeToolHint);
     connect(m_canvas, &ChartCanvas::picked, this, [this](pattern::Cell cell) {
         m_stitches->choose(cell.stitch);
         m_yarns->choose(cell.yarn);
@@ -57,8 +71,6 @@ ChartEditor::ChartEditor(document::Document& document, ChartLook& look, QWidget*
         m_canvas->setModule(module);
         m_canvas->setTool(ChartTool::Stamp);
         m_canvas->setFocus();
-        m_hint->setText(tr("A click lays down %1, its lower left corner first; a drag repeats it.")
-                            .arg(QString::fromStdString(module->name)));
     });
     connect(m_catalogue, &CataloguePopup::problemFound, m_hint, &QLabel::setText);
     connect(m_canvas, &ChartCanvas::hovered, m_hint, &QLabel::setText);
@@ -76,8 +88,69 @@ void ChartEditor::takeBeds() {
     m_beds->setChecked(both);
 }
 
+/// Who chooses a stitch draws stitches, who chooses a yarn colours; with Shift both.
+void ChartEditor::takeStitch() {
+    if (!QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier)) {
+        m_yarns->choose(std::nullopt);
+    }
+    takeBrush();
+}
+
+void ChartEditor::takeYarn() {
+    if (!QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier)) {
+        m_stitches->choose(std::nullopt);
+    }
+    takeBrush();
+}
+
 void ChartEditor::takeBrush() {
+    if (!m_stitches->chosen() && !m_yarns->chosen()) { // what was chosen was clicked again
+        m_stitches->choose(m_canvas->brush().stitch);
+        m_yarns->choose(m_canvas->brush().yarn);
+    }
     m_canvas->setBrush({m_stitches->chosen(), m_yarns->chosen()});
+    takeToolHint();
+}
+
+QString ChartEditor::brushText() const {
+    const auto stitch = m_stitches->chosen();
+    const auto yarn = m_yarns->chosen();
+    const auto project = m_document.project();
+    const QString name = stitch ? stitchName(*stitch).section(u':', 0, 0) : QString();
+    const QString carrier = yarn && project && *yarn < project->chart.yarns.size()
+                                ? QString::fromStdString(project->chart.yarns[*yarn].carrier)
+                                : QString();
+    return carrier.isEmpty() ? tr("%1; the yarns stay").arg(name)
+           : name.isEmpty()  ? tr("yarn of carrier %1; the stitches stay").arg(carrier)
+                             : tr("%1 with the yarn of carrier %2").arg(name, carrier);
+}
+
+void ChartEditor::takeToolHint() {
+    QString text;
+    switch (m_canvas->tool()) {
+    case ChartTool::Select:
+        text = tr("Select: drag over cells. Drag the selection to move it, its edge to repeat it.");
+        break;
+    case ChartTool::Pencil:
+        text = tr("Pencil: %1").arg(brushText());
+        break;
+    case ChartTool::Line:
+        text = tr("Line: %1").arg(brushText());
+        break;
+    case ChartTool::Rectangle:
+        text = tr("Rectangle: %1").arg(brushText());
+        break;
+    case ChartTool::Fill:
+        text = tr("Fill: %1").arg(brushText());
+        break;
+    case ChartTool::Stamp:
+        text = m_canvas->module() ? tr("%1: a click lays it down, a drag repeats it.")
+                                        .arg(QString::fromStdString(m_canvas->module()->name))
+                                  : tr("Choose a stitch of the catalogue (Shift+B).");
+        break;
+    }
+    m_toolHint->setText(text);
+    m_toolHint->setToolTip(text);
 }
 
 /// What is out of date says so.
@@ -141,15 +214,96 @@ void ChartEditor::buildTools() {
     });
 }
 
-void ChartEditor::addEdit(const QString& name, const QString& text, const QKeySequence& key,
-                          const std::function<void()>& action) {
+QAction* ChartEditor::addEdit(const QString& name, const QString& text, const QKeySequence& key,
+                              const std::function<void()>& action, QMenu* menu) {
     auto* made = new QAction(text, this);
     made->setObjectName(name);
     made->setShortcut(key);
     made->setShortcutContext(Qt::WidgetWithChildrenShortcut); // other views copy and paste, too
     addAction(made);
     m_editActions << made;
+    if (menu) {
+        menu->addAction(made);
+    }
     connect(made, &QAction::triggered, this, action);
+    return made;
+}
+
+void ChartEditor::addTo(QMenu* menu) const {
+    menu->addActions(m_toolActions);
+    menu->addMenu(m_brushMenu);
+    menu->addSeparator();
+    const QList<QAction*> brushes = m_brushMenu->actions();
+    const QList<QAction*> directions = m_directionMenu->actions();
+    for (QAction* action : m_editActions) {
+        if (!brushes.contains(action) && !directions.contains(action)) {
+            menu->addAction(action);
+        }
+    }
+    menu->addMenu(m_directionMenu);
+}
+
+void ChartEditor::setUsable(bool on) {
+    for (QAction* action : m_toolActions + m_editActions) {
+        action->setEnabled(on);
+    }
+}
+
+void ChartEditor::buildBrushMenu() {
+    const auto add = [this](const char* name, const QString& text, const QKeySequence& key,
+                            const std::function<void()>& action) {
+        addEdit(QString::fromUtf8(name), text, key, action, m_brushMenu)
+            ->setShortcutContext(Qt::WindowShortcut); // as the tools
+    };
+    add("actionChartNextStitch", tr("&Next stitch"), Qt::Key_E, [this] { m_stitches->step(+1); });
+    add("actionChartPreviousStitch", tr("&Previous stitch"), Qt::SHIFT | Qt::Key_E, [this] {
+        m_stitches->step(-1);
+        m_yarns->choose(std::nullopt); // Shift is in the key, not held for both
+        takeBrush();
+    });
+    add("actionChartNextYarn", tr("Next &yarn"), Qt::Key_O, [this] { m_yarns->step(+1); });
+    add("actionChartPreviousYarn", tr("Previous y&arn"), Qt::SHIFT | Qt::Key_O, [this] {
+        m_yarns->step(-1);
+        m_stitches->choose(std::nullopt);
+        takeBrush();
+    });
+    add("actionChartPick", tr("P&ick both under the cursor"), Qt::Key_Q, [this] { m_canvas->pick(); });
+    add("actionChartAddYarn", tr("A&dd a yarn"), Qt::CTRL | Qt::ALT | Qt::Key_Y,
+        [this] { m_yarns->addYarn(); });
+}
+
+void ChartEditor::buildDirections() {
+    struct Direction {
+        const char* name;
+        QString text;
+        Qt::Key key;
+        int wales;
+        int courses;
+    };
+    const Direction kAll[] = {{"Left", tr("to the left"), Qt::Key_Left, -1, 0},
+                              {"Right", tr("to the right"), Qt::Key_Right, +1, 0},
+                              {"Up", tr("upwards"), Qt::Key_Up, 0, +1},
+                              {"Down", tr("downwards"), Qt::Key_Down, 0, -1}};
+    struct Way {
+        const char* name;
+        QString text;
+        Qt::KeyboardModifiers keys;
+        void (ChartCanvas::*change)(int, int);
+    };
+    const Way kWays[] = {{"Shift", tr("Shift %1"), Qt::ControlModifier, &ChartCanvas::shift},
+                         {"Move", tr("Move the selection %1"), Qt::AltModifier, &ChartCanvas::moveSelected},
+                         {"Repeat", tr("Repeat the selection %1"), Qt::ControlModifier | Qt::ShiftModifier,
+                          &ChartCanvas::repeatBy}};
+    for (const Way& way : kWays) {
+        for (const Direction& to : kAll) {
+            addEdit(
+                QStringLiteral("actionChart%1%2").arg(QLatin1String(way.name), QLatin1String(to.name)),
+                way.text.arg(to.text), QKeySequence(QKeyCombination(way.keys, to.key)),
+                [this, change = way.change, to] { (m_canvas->*change)(to.wales, to.courses); },
+                m_directionMenu);
+        }
+        m_directionMenu->addSeparator();
+    }
 }
 
 void ChartEditor::buildEdits() {
@@ -177,6 +331,11 @@ void ChartEditor::buildEdits() {
                     m_hint->setText(tr("The module stands at the end of the stitch catalogue."));
                 }
             });
+}
+
+/// What is done with whole courses and wales.
+void ChartEditor::buildCourseEdits() {
+    ChartCanvas* canvas = m_canvas;
     addEdit("actionChartInsertCourses", tr("&Insert courses"), Qt::CTRL | Qt::Key_I,
             [canvas] { canvas->insertCourses(); });
     addEdit("actionChartRemoveCourses", tr("Remo&ve courses"), Qt::CTRL | Qt::SHIFT | Qt::Key_I,
@@ -203,8 +362,9 @@ void ChartEditor::buildEdits() {
     m_tools->addSeparator();
     colours->setIconText(tr("Colours"));
     m_tools->addAction(colours);
-    qobject_cast<QToolButton*>(m_tools->widgetForAction(colours))
-        ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    auto* button = qobject_cast<QToolButton*>(m_tools->widgetForAction(colours));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setIconSize({40, 18});
     addEdit("actionChartBeds", tr("Work on bot&h beds"), Qt::CTRL | Qt::ALT | Qt::Key_B, [canvas, this] {
         canvas->useBothBeds(m_beds->isChecked());
         takeBeds(); // it may be refused

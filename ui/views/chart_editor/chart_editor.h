@@ -6,6 +6,7 @@
 
 class QActionGroup;
 class QLabel;
+class QMenu;
 class QToolBar;
 
 namespace knittsim::ui {
@@ -24,17 +25,25 @@ public:
     ChartEditor(document::Document& document, ChartLook& look, QWidget* parent = nullptr);
 
     ChartCanvas* canvas() const { return m_canvas; }
-    /// Tools and what is done with a selection, with their keys, for a menu.
-    QList<QAction*> toolActions() const { return m_toolActions; }
-    QList<QAction*> editActions() const { return m_editActions; }
+    /// Puts the tools, and what is done with a selection, into a menu, with their keys.
+    void addTo(QMenu* menu) const;
+    /// Only a chart has these actions.
+    void setUsable(bool on);
 
 private:
     QAction* addTool(int tool, const QString& name, const QString& text, const QKeySequence& key,
                      const QString& iconName);
-    void addEdit(const QString& name, const QString& text, const QKeySequence& key,
-                 const std::function<void()>& action);
+    QAction* addEdit(const QString& name, const QString& text, const QKeySequence& key,
+                     const std::function<void()>& action, QMenu* menu = nullptr);
     void buildTools();
     void buildEdits();
+    void buildCourseEdits();
+    void buildDirections(); ///< shifts, moves and repeats by arrow keys
+    void buildBrushMenu();
+    void takeStitch();
+    void takeYarn();
+    QString brushText() const;
+    void takeToolHint();
     void takeBeds();
     void takeBrush();
     void takeFollowing();
@@ -46,7 +55,10 @@ private:
     CataloguePopup* m_catalogue;
     QToolBar* m_tools;
     QActionGroup* m_toolGroup;
-    QLabel* m_hint;
+    QLabel* m_toolHint; ///< what the tool at hand does
+    QLabel* m_hint;     ///< what is under the pointer, and what went wrong
+    QMenu* m_brushMenu;
+    QMenu* m_directionMenu;
     QList<QAction*> m_toolActions;
     QList<QAction*> m_editActions;
     QAction* m_beds = nullptr; ///< checked: the chart works on both

@@ -1,6 +1,7 @@
 #include "ui/views/chart_editor/colour_method_menu.h"
 
 #include "ui/views/style/appearance.h"
+#include "ui/views/style/menu_pictures.h"
 
 #include <QPainter>
 
@@ -79,6 +80,7 @@ ColourMethodMenu::ColourMethodMenu(const QString& heading, std::optional<ColourM
     setObjectName(QStringLiteral("colourMethods"));
     setAttribute(Qt::WA_DeleteOnClose);
     setToolTipsVisible(true);
+    showPictures(this, kIcon.width());
     addAction(heading)->setEnabled(false);
     addSeparator();
     const auto all = words();

@@ -2,6 +2,7 @@
 
 #include "core/pattern/catalogue.h"
 #include "core/pattern/chart_edit.h"
+#include "ui/views/chart_editor/palettes.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -17,12 +18,14 @@ namespace {
 constexpr int kWales = 40;
 constexpr int kCourses = 40;
 constexpr int kMostNew = 1000;
+constexpr int kMostYarns = 6; ///< the least that a machine here has carriers for
 
 } // namespace
 
 NewChartDialog::NewChartDialog(QString machine, QWidget* parent)
     : QDialog(parent), m_machine(std::move(machine)), m_wales(new QSpinBox(this)),
-      m_courses(new QSpinBox(this)), m_ground(new QComboBox(this)), m_beds(new QComboBox(this)) {
+      m_courses(new QSpinBox(this)), m_yarns(new QSpinBox(this)), m_ground(new QComboBox(this)),
+      m_beds(new QComboBox(this)) {
     setObjectName(QStringLiteral("newChart"));
     setWindowTitle(tr("New chart"));
     for (QSpinBox* box : {m_wales, m_courses}) {
@@ -32,8 +35,13 @@ NewChartDialog::NewChartDialog(QString machine, QWidget* parent)
     m_courses->setObjectName(QStringLiteral("newCourses"));
     m_wales->setValue(kWales);
     m_courses->setValue(kCourses);
+    m_wales->setSuffix(tr(" stitches across"));
+    m_courses->setSuffix(tr(" rows up"));
     m_wales->setToolTip(tr("Needles across"));
     m_courses->setToolTip(tr("Courses up"));
+    m_yarns->setObjectName(QStringLiteral("newYarns"));
+    m_yarns->setRange(1, kMostYarns);
+    m_yarns->setToolTip(tr("Colours to draw with; more can be added at any time"));
     m_ground->setObjectName(QStringLiteral("newGround"));
     m_ground->setToolTip(tr("The stitches that it begins with"));
     for (const pattern::Module& module : pattern::catalogue()) {
@@ -48,6 +56,7 @@ NewChartDialog::NewChartDialog(QString machine, QWidget* parent)
     auto* form = new QFormLayout;
     form->addRow(tr("&Wales"), m_wales);
     form->addRow(tr("&Courses"), m_courses);
+    form->addRow(tr("&Yarns"), m_yarns);
     form->addRow(tr("&Ground"), m_ground);
     form->addRow(tr("&Beds"), m_beds);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
@@ -63,7 +72,10 @@ NewChartDialog::NewChartDialog(QString machine, QWidget* parent)
 pattern::Project NewChartDialog::project() const {
     pattern::Project project{.chart = pattern::Chart(m_wales->value(), m_courses->value()),
                              .machine = m_machine.toStdString()};
-    project.chart.yarns = {{"1", {0xe9, 0xdf, 0xc8}, "merino-2-30"}};
+    for (int i = 0; i < m_yarns->value(); ++i) {
+        project.chart.yarns.push_back(
+            {std::to_string(i + 1), freshColour(static_cast<std::size_t>(i)), "merino-2-30"});
+    }
     const pattern::Module* ground = pattern::findModule(m_ground->currentData().toString().toStdString());
     pattern::tile(project.chart, {0, 0, project.chart.width, project.chart.height()}, ground->part,
                   pattern::PasteWhat::Stitches);

@@ -23,6 +23,7 @@ private:
     QString m_machine;
     QSpinBox* m_wales;
     QSpinBox* m_courses;
+    QSpinBox* m_yarns;
     QComboBox* m_ground;
     QComboBox* m_beds;
 };

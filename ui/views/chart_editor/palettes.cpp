@@ -10,8 +10,11 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPainter>
+#include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QWidgetAction>
@@ -26,6 +29,8 @@ using pattern::Stitch;
 namespace {
 
 constexpr int kSwatch = 22;
+constexpr int kModuleWidth = 112;     ///< pixels, of a picture with its name
+constexpr std::size_t kFewYarns = 4;  ///< so many leave room for words
 constexpr std::size_t kMostYarns = 8; ///< that a chart made here has; machines have few carriers
 
 QIcon stitchIcon(Stitch stitch, SymbolSet symbols, const QWidget& widget) {
@@ -89,7 +94,8 @@ StitchPalette::StitchPalette(ChartLook& look, QWidget* parent)
         button->setCheckable(true);
         button->setAutoRaise(true);
         button->setIconSize({20, 20});
-        button->setToolTip(stitchName(stitch));
+        button->setToolTip(tr("%1 (E and Shift+E go through the stitches; with Shift the yarn stays chosen)")
+                               .arg(stitchName(stitch)));
         button->setAccessibleName(stitchName(stitch));
         m_buttons->addButton(button, static_cast<int>(stitch));
         const int row = pattern::needsTwoBeds(stitch) ? 1 : 0;
@@ -146,6 +152,20 @@ std::optional<Stitch> StitchPalette::chosen() const {
     return std::nullopt;
 }
 
+void StitchPalette::step(int direction) {
+    QList<QAbstractButton*> offered;
+    for (QAbstractButton* button : m_buttons->buttons()) {
+        if (button->isVisibleTo(this)) {
+            offered << button;
+        }
+    }
+    const auto checked = std::ranges::find_if(offered, &QAbstractButton::isChecked);
+    const auto count = offered.size();
+    const auto at = checked == offered.end() ? (direction > 0 ? count - 1 : 0) : checked - offered.begin();
+    choose(static_cast<Stitch>(m_buttons->id(offered[(at + direction + count) % count])));
+    emit changed();
+}
+
 YarnPalette::YarnPalette(document::Document& document, QWidget* parent)
     : QWidget(parent), m_document(document), m_row(new QHBoxLayout(this)) {
     m_row->setContentsMargins(0, 0, 0, 0);
@@ -189,8 +209,10 @@ void YarnPalette::take() {
         button->setChecked(m_chosen == index);
         button->setIconSize({kSwatch, kSwatch});
         button->setIcon(swatch(colour, devicePixelRatioF()));
-        button->setToolTip(tr("Yarn of carrier %1: %2").arg(QString::fromStdString(yarns[i].carrier), name));
-        button->setAccessibleName(button->toolTip());
+        button->setAccessibleName(
+            tr("Yarn of carrier %1: %2").arg(QString::fromStdString(yarns[i].carrier), name));
+        button->setToolTip(tr("%1 (O and Shift+O go through the yarns; with Shift the stitch stays chosen)")
+                               .arg(button->accessibleName()));
         m_row->addWidget(button);
         connect(button, &QToolButton::clicked, this, [this, index](bool on) {
             choose(on ? std::optional(index) : std::nullopt);
@@ -200,7 +222,7 @@ void YarnPalette::take() {
     if (yarns.size() < std::min(kMostYarns, m_document.carriers().size())) {
         auto* add = new QToolButton(this);
         add->setObjectName(QStringLiteral("addYarn"));
-        add->setText(QStringLiteral("+"));
+        add->setText(yarns.size() < kFewYarns ? tr("+ Yarn") : QStringLiteral("+"));
         add->setAutoRaise(true);
         add->setToolTip(tr("Add a yarn on the next carrier"));
         m_row->addWidget(add);
@@ -214,10 +236,18 @@ void YarnPalette::choose(std::optional<std::uint8_t> yarn) {
     take();
 }
 
+void YarnPalette::step(int direction) {
+    const auto project = m_document.project();
+    if (!project) {
+        return;
+    }
+    const int count = static_cast<int>(project->chart.yarns.size());
+    const int at = m_chosen ? *m_chosen : direction > 0 ? count - 1 : 0;
+    choose(static_cast<std::uint8_t>((at + direction + count) % count));
+    emit changed();
+}
+
 void YarnPalette::addYarn() {
-    static constexpr yarn::Colour kColours[] = {{0xb5, 0x52, 0x33}, {0x24, 0x3b, 0x5e}, {0xd9, 0xa6, 0x2e},
-                                                {0x3f, 0x6b, 0x4f}, {0x6d, 0x35, 0x5a}, {0xe9, 0xdf, 0xc8},
-                                                {0x1f, 0x6f, 0x78}, {0xcb, 0xb3, 0x96}};
     const auto file = m_document.file();
     const auto project = m_document.project();
     const auto& yarns = project->chart.yarns;
@@ -226,7 +256,7 @@ void YarnPalette::addYarn() {
             yarns, [&](const pattern::ChartYarn& yarn) { return yarn.carrier == carrier.carrier; });
         if (!taken) {
             m_chosen = static_cast<std::uint8_t>(yarns.size());
-            const pattern::ChartYarn added{carrier.carrier, kColours[yarns.size() % std::size(kColours)],
+            const pattern::ChartYarn added{carrier.carrier, freshColour(yarns.size()),
                                            yarns.front().libraryId};
             m_document.editChart(tr("another yarn"),
                                  [&](pattern::Chart& chart) { chart.yarns.push_back(added); });
@@ -236,8 +266,15 @@ void YarnPalette::addYarn() {
     }
 }
 
+yarn::Colour freshColour(std::size_t index) {
+    static constexpr yarn::Colour kColours[] = {{0xe9, 0xdf, 0xc8}, {0x24, 0x3b, 0x5e}, {0xb5, 0x52, 0x33},
+                                                {0xd9, 0xa6, 0x2e}, {0x3f, 0x6b, 0x4f}, {0x6d, 0x35, 0x5a},
+                                                {0x1f, 0x6f, 0x78}, {0xcb, 0xb3, 0x96}};
+    return kColours[index % std::size(kColours)];
+}
+
 CataloguePopup::CataloguePopup(ChartLook& look, QWidget* parent)
-    : QMenu(parent), m_look(look), m_list(new QListWidget(this)) {
+    : QMenu(parent), m_look(look), m_search(new QLineEdit(this)), m_list(new QListWidget(this)) {
     setObjectName(QStringLiteral("catalogue"));
     m_list->setObjectName(QStringLiteral("catalogueList"));
     m_list->setAccessibleName(tr("Stitch catalogue"));
@@ -245,13 +282,27 @@ CataloguePopup::CataloguePopup(ChartLook& look, QWidget* parent)
     m_list->setMovement(QListView::Static);
     m_list->setResizeMode(QListView::Adjust);
     m_list->setIconSize({76, 60});
-    m_list->setGridSize({112, 104});
+    const QSize grid(kModuleWidth, m_list->iconSize().height() + 3 * fontMetrics().lineSpacing() + 14);
+    m_list->setGridSize(grid);
     m_list->setWordWrap(true);
     m_list->setUniformItemSizes(true);
-    m_list->setFixedSize(112 * 5 + 24, 104 * 4 + 12);
+    m_list->setFixedSize(grid.width() * 5 + 24, grid.height() * 4 + 12);
     m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_list->verticalScrollBar()->setSingleStep(grid.height() / 3);
+    m_search->setObjectName(QStringLiteral("catalogueSearch"));
+    m_search->setPlaceholderText(tr("Search: cable, lace, rib\u2026"));
+    m_search->setAccessibleName(tr("Search the stitch catalogue"));
+    m_search->setToolTip(tr("Words of the name, or the kind: texture, cable, lace, tuck and slip, shaping"));
+    m_search->setClearButtonEnabled(true);
+    connect(m_search, &QLineEdit::textChanged, this, &CataloguePopup::find);
+    auto* page = new QWidget(this);
+    auto* rows = new QVBoxLayout(page);
+    rows->setContentsMargins(6, 6, 6, 6);
+    rows->addWidget(m_search);
+    rows->addWidget(m_list);
     auto* action = new QWidgetAction(this);
-    action->setDefaultWidget(m_list);
+    action->setDefaultWidget(page);
     addAction(action);
     const auto take = [this](const QListWidgetItem* item) {
         const std::string id = item->data(Qt::UserRole).toString().toStdString();
@@ -263,10 +314,46 @@ CataloguePopup::CataloguePopup(ChartLook& look, QWidget* parent)
     connect(m_list, &QListWidget::itemClicked, this, take);
     connect(m_list, &QListWidget::itemActivated, this, take);
     addOwnActions();
+    connect(m_search, &QLineEdit::returnPressed, this, [this, take] {
+        if (const QListWidgetItem* item = m_list->currentItem()) {
+            take(item);
+        }
+    });
     connect(this, &QMenu::aboutToShow, this, [this] {
         fill();
-        m_list->setFocus();
+        find(m_search->text());
+        m_search->selectAll();
+        m_search->setFocus();
     });
+    m_search->installEventFilter(this);
+}
+
+/// From the search the arrow keys lead into the pictures.
+bool CataloguePopup::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Down || key == Qt::Key_Up || key == Qt::Key_Tab) {
+            m_list->setFocus();
+            return true;
+        }
+    }
+    return QMenu::eventFilter(watched, event);
+}
+
+/// Shows what has all the words in its name or kind.
+void CataloguePopup::find(const QString& text) {
+    const QStringList words = text.split(u' ', Qt::SkipEmptyParts);
+    QListWidgetItem* first = nullptr;
+    for (int i = 0; i < m_list->count(); ++i) {
+        QListWidgetItem* item = m_list->item(i);
+        const bool found = std::ranges::all_of(words, [item](const QString& word) {
+            return item->toolTip().contains(word, Qt::CaseInsensitive);
+        });
+        item->setHidden(!found);
+        first = first || !found ? first : item;
+    }
+    m_list->setCurrentItem(first);
+    m_list->scrollToTop();
 }
 
 /// Anew each time: the pictures are in the colours of the appearance.

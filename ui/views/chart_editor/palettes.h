@@ -9,9 +9,13 @@
 
 class QButtonGroup;
 class QHBoxLayout;
+class QLineEdit;
 class QListWidget;
 
 namespace knittsim::ui {
+
+/// Of the yarn `index` of a new chart: those that stand beside each other are well told apart.
+yarn::Colour freshColour(std::size_t index);
 
 /// Stitches that a tool can leave behind. One is chosen, or none: then tools change yarns only.
 class StitchPalette : public QWidget {
@@ -23,6 +27,8 @@ public:
     void setTwoBeds(bool two);
     void choose(std::optional<pattern::Stitch> stitch);
     std::optional<pattern::Stitch> chosen() const;
+    /// The next one, +1, or the one before, -1, of those that are offered.
+    void step(int direction);
 
 signals:
     void changed();
@@ -46,13 +52,14 @@ public:
 
     void choose(std::optional<std::uint8_t> yarn);
     std::optional<std::uint8_t> chosen() const { return m_chosen; }
+    void step(int direction);
+    void addYarn(); ///< on the next carrier, where there is one
 
 signals:
     void changed();
 
 private:
     void take();
-    void addYarn();
 
     document::Document& m_document;
     QHBoxLayout* m_row;
@@ -72,12 +79,17 @@ signals:
     void chosen(const knittsim::pattern::Module* module);
     void problemFound(const QString& text); ///< a file of the person's modules cannot be used
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void fill();
+    void find(const QString& text);
     void addItem(const pattern::Module& module, const QString& kind);
     void addOwnActions();
 
     ChartLook& m_look;
+    QLineEdit* m_search;
     QListWidget* m_list;
     std::vector<pattern::Module> m_own;
     pattern::Module m_chosen;

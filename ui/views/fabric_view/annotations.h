@@ -39,6 +39,7 @@ struct Annotations {
     std::optional<Vec3f> tapeEnd;            ///< where the second one would be set now
     Photograph photograph;
     int alignClicks = -1; ///< done while it is aligned by two points; -1: it is not
+    QString notice;       ///< what the picture is not yet, in words; empty: nothing
     QString alone;        ///< what is shown alone, in words; empty: all
 };
 

@@ -97,6 +97,8 @@ public:
     void setDragMode(bool on); ///< plain left drag pulls bonding points
 
     // Annotations. All have a legend in the picture; none is part of picture().
+    /// What the picture is not yet, below the badge; empty: nothing.
+    void setNotice(const QString& text);
     void setDimensions(bool on); ///< width, height and gauge
     bool hasDimensions() const;
     void setGuides(bool on); ///< numbered lines along courses and wales

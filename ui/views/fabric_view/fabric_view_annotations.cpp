@@ -109,6 +109,13 @@ void FabricView::Implementation::tapeClick(QPointF where) {
     }
 }
 
+void FabricView::setNotice(const QString& text) {
+    if (text != m->annotations.notice) {
+        m->annotations.notice = text;
+        m->overlay->update();
+    }
+}
+
 void FabricView::setDimensions(bool on) {
     m->annotations.dimensions = on;
     m->overlay->update();

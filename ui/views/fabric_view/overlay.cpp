@@ -55,6 +55,9 @@ QString Overlay::sideText() const {
 
 std::vector<Overlay::Word> Overlay::words() const {
     std::vector<Word> words;
+    if (!m_annotations.notice.isEmpty()) {
+        words.push_back({m_annotations.notice});
+    }
     if (m_annotations.guides) {
         const OverlayInk colours = overlayInk(m_content.dark);
         words.push_back({tr("courses, numbered"), colours.course});

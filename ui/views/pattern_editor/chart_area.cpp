@@ -26,8 +26,9 @@ void ChartArea::setChart(int columns, int courses, bool tall, int firstNumber) {
     m_firstNumber = firstNumber;
 }
 
-void ChartArea::setNotes(std::vector<CourseNote> notes) {
+void ChartArea::setNotes(std::vector<CourseNote> notes, bool severalYarns) {
     m_notes = std::move(notes);
+    m_severalYarns = severalYarns;
     layoutChart();
 }
 

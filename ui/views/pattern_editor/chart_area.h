@@ -47,8 +47,9 @@ protected:
 
     /// Courses and columns; the first column has this number.
     void setChart(int columns, int courses, bool tall, int firstNumber);
-    /// One for each course.
-    void setNotes(std::vector<CourseNote> notes);
+    /// One for each course. `severalYarns`: the column of the carriers has something to say, also before it
+    /// is drawn, so that the chart does not move aside under the pointer.
+    void setNotes(std::vector<CourseNote> notes, bool severalYarns = false);
     void layoutChart();
     std::optional<SidePlace> sideAt(QPoint position) const;
     QString sideText(QPoint position) const; ///< of the course beside which it is; empty elsewhere
@@ -97,6 +98,7 @@ private:
     ChartLook& m_look;
     const Cells m_cells;
     std::vector<CourseNote> m_notes;
+    bool m_severalYarns = false;
     std::vector<Side> m_sides; ///< that are shown, from the left
     ChartGeometry m_geometry;
     int m_firstNumber = 0;

@@ -53,7 +53,7 @@ bool ChartArea::isShown(SideColumn column) const {
     case ChartLook::Shown::ByContent:
         break;
     }
-    return tells(m_notes, column);
+    return tells(m_notes, column) || (column == SideColumn::Carrier && m_severalYarns);
 }
 
 int ChartArea::widthOf(SideColumn column) const {

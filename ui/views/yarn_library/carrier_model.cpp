@@ -3,11 +3,18 @@
 #include <QColor>
 #include <QMimeData>
 
+#include <algorithm>
+
 namespace knittsim::ui {
 
 CarrierModel::CarrierModel(document::Document& document, QObject* parent)
     : QAbstractListModel(parent), m_document(document) {
     connect(&m_document, &document::Document::fileChanged, this, &CarrierModel::takeFile);
+    connect(&m_document, &document::Document::chartChanged, this, [this] {
+        if (m_rows != rows()) {
+            takeFile();
+        }
+    });
     connect(&m_document, &document::Document::yarnsChanged, this, [this] {
         if (!m_rows.empty()) {
             emit dataChanged(index(0), index(rowCount() - 1));
@@ -18,14 +25,22 @@ CarrierModel::CarrierModel(document::Document& document, QObject* parent)
 
 void CarrierModel::takeFile() {
     beginResetModel();
-    m_rows.clear();
+    m_rows = rows();
+    endResetModel();
+}
+
+std::vector<int> CarrierModel::rows() const {
+    std::vector<int> found;
+    const auto project = m_document.project();
     const auto& carriers = m_document.carriers();
     for (std::size_t i = 0; i < carriers.size(); ++i) {
-        if (carriers[i].used) {
-            m_rows.push_back(static_cast<int>(i));
+        const bool drawn = project && std::ranges::count(project->chart.yarns, carriers[i].carrier,
+                                                         &pattern::ChartYarn::carrier) > 0;
+        if (carriers[i].used || drawn) {
+            found.push_back(static_cast<int>(i));
         }
     }
-    endResetModel();
+    return found;
 }
 
 int CarrierModel::carrierAt(const QModelIndex& index) const {
@@ -61,7 +76,8 @@ QVariant CarrierModel::data(const QModelIndex& index, int role) const {
     case IdRole:
         return QString::fromStdString(row.yarn.id);
     case Qt::ToolTipRole:
-        return tr("Carrier %1. Drop a yarn of the library here; the fabric goes on from its shape.")
+        return tr("Carrier %1. Drop a yarn of the library here; the fabric goes on from its shape. "
+                  "Double click or Enter: another colour.")
             .arg(QString::fromStdString(row.carrier));
     default:
         return {};

@@ -5,7 +5,8 @@
 
 namespace knittsim::ui {
 
-/// The carriers that the program uses, with their yarns. A yarn dropped on a row goes onto that carrier.
+/// The carriers that the program uses, or the chart has a yarn for, with their yarns. A yarn dropped on a row
+/// goes onto that carrier.
 class CarrierModel : public QAbstractListModel {
     Q_OBJECT
 
@@ -27,6 +28,7 @@ public:
 
 private:
     void takeFile();
+    std::vector<int> rows() const;
 
     document::Document& m_document;
     std::vector<int> m_rows;

@@ -93,6 +93,12 @@ void ColourwayBar::take() {
     m_choice->setCurrentIndex(project->colourways.used);
 }
 
+void ColourwayBar::useNext() {
+    if (m_choice->count() > 1 && m_document.project()) {
+        use((m_choice->currentIndex() + 1) % m_choice->count());
+    }
+}
+
 void ColourwayBar::use(int index) {
     m_document.editColourways(
         tr("colourway %1").arg(m_choice->itemText(index)),

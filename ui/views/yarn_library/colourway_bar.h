@@ -19,6 +19,7 @@ public:
     void add(const QString& name);
     void rename(const QString& name); ///< the one in use
     void removeUsed();
+    void useNext(); ///< after the last one the first
 
 private:
     void take();

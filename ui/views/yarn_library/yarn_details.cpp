@@ -1,5 +1,6 @@
 #include "ui/views/yarn_library/yarn_details.h"
 
+#include "core/yarn/count.h"
 #include "ui/views/style/appearance.h"
 #include "ui/views/style/numbers.h"
 
@@ -18,16 +19,26 @@ QString tr(const char* text) {
 
 QString row(const yarn::Yarn& yarn, const char* key, const QString& name, const QString& value,
             const QString& faint) {
-    const auto source = yarn.sources.find(key);
+    const auto found = yarn.sources.find(key);
+    const QString source = found == yarn.sources.end()
+                               ? tr("source not given")
+                               : QString::fromStdString(found->second).toHtmlEscaped();
     QString html =
         QStringLiteral("<table width='100%' cellspacing='0' cellpadding='0' style='margin-top:5px'><tr>"
                        "<td>%1</td><td align='right'><b>%2</b></td></tr></table>")
             .arg(name, value);
-    if (source != yarn.sources.end()) {
-        html += QStringLiteral("<div style='color:%1'><small>%2</small></div>")
-                    .arg(faint, QString::fromStdString(source->second).toHtmlEscaped());
+    return html + QStringLiteral("<div style='color:%1'><small>%2</small></div>").arg(faint, source);
+}
+
+/// The linear density in the other systems.
+QString countsText(const yarn::Yarn& yarn) {
+    QStringList counts;
+    for (const yarn::CountSystem system : yarn::kCountSystems) {
+        if (system != yarn::CountSystem::Tex) {
+            counts << QString::fromStdString(yarn::countText(system, yarn.tex));
+        }
     }
-    return html;
+    return counts.join(QStringLiteral(" \u00b7 "));
 }
 
 QString twistText(const yarn::Surface& surface) {
@@ -52,8 +63,7 @@ QString yarnDetails(const yarn::Yarn& yarn, const QPalette& palette) {
                        .arg(QString::fromStdString(yarn.name).toHtmlEscaped(), faint,
                             QString::fromStdString(yarn.count + " \u00b7 " + yarn.fibre).toHtmlEscaped());
     html += row(yarn, "count", tr("Linear density"), tr("%1 tex").arg(shortNumber(yarn.tex)), faint);
-    html += row(yarn, "", tr("Count"),
-                tr("Nm %1 \u00b7 Ne %2").arg(shortNumber(yarn.nm()), shortNumber(yarn.ne())), faint);
+    html += QStringLiteral("<div style='color:%1'><small>= %2</small></div>").arg(faint, countsText(yarn));
     html += row(yarn, "outer_diameter_mm", tr("Outer diameter"), mm.arg(shortNumber(yarn.outerDiameterMm)),
                 faint);
     html +=
@@ -65,7 +75,10 @@ QString yarnDetails(const yarn::Yarn& yarn, const QPalette& palette) {
     html += row(yarn, "friction", tr("Friction"), shortNumber(yarn.friction), faint);
     html += row(yarn, "colour", tr("Colour"), colourName(yarn.colour), faint);
     html += row(yarn, "surface", tr("Surface"), QString::fromStdString(yarn.surface.kind), faint);
-    html += row(yarn, "", tr("Plies and twist"), twistText(yarn.surface), faint);
+    html +=
+        row(yarn, "surface", tr("Hairiness, melange"),
+            tr("%1, %2").arg(shortNumber(yarn.surface.hairiness), shortNumber(yarn.surface.melange)), faint);
+    html += row(yarn, "surface", tr("Plies and twist"), twistText(yarn.surface), faint);
     if (!yarn.note.empty()) {
         html += QStringLiteral("<p style='color:%1'>%2</p>")
                     .arg(faint, QString::fromStdString(yarn.note).toHtmlEscaped());

@@ -68,7 +68,7 @@ QWidget* YarnPanel::makeCarriers() {
     m_carrierList->setAcceptDrops(true);
     m_carrierList->setDropIndicatorShown(true);
     m_carrierList->setDragDropMode(QAbstractItemView::DropOnly);
-    connect(m_carrierList, &QListView::doubleClicked, this, &YarnPanel::chooseColour);
+    connect(m_carrierList, &QListView::activated, this, &YarnPanel::chooseColour);
     connect(m_carrierList->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
         m_showsCarrier = true;
         showDetails();

@@ -42,6 +42,9 @@ private:
     void editYarn(const yarn::Yarn& yarn);
     void importYarns();
     void exportYarn();
+    void exportOwnYarns();
+    std::vector<yarn::Yarn> ownYarns() const;
+    void writeYarns(const QString& path, const std::string& json);
     void forgetYarn();
     void tellProblem(const QString& title, const Diagnostics& problems);
     void takeLibrary(const std::string& select);

@@ -12,12 +12,16 @@
 #include <QMenu>
 #include <QMessageBox>
 
+#include <algorithm>
+#include <iterator>
+
 namespace knittsim::ui {
 
 namespace {
 
 constexpr int kAll = 0;
 constexpr int kOwn = 1;
+constexpr std::size_t kMostTold = 6; ///< problems in one message
 
 std::filesystem::path ownFolder() {
     return document::Document::ownYarnFolder().toStdString();
@@ -41,8 +45,11 @@ QMenu* YarnPanel::makeOwnMenu() {
     QAction* forget = menu->addAction(tr("&Delete"), this, &YarnPanel::forgetYarn);
     menu->addSeparator();
     menu->addAction(tr("&Import\u2026"), this, &YarnPanel::importYarns);
-    QAction* out = menu->addAction(tr("&Export\u2026"), this, &YarnPanel::exportYarn);
-    connect(menu, &QMenu::aboutToShow, this, [chosen, edit, forget, out] {
+    QAction* out = menu->addAction(tr("&Export this yarn\u2026"), this, &YarnPanel::exportYarn);
+    QAction* all = menu->addAction(tr("Export all &own yarns\u2026"), this, &YarnPanel::exportOwnYarns);
+    all->setToolTip(tr("One file, for other people or a version control"));
+    connect(menu, &QMenu::aboutToShow, this, [this, chosen, edit, forget, out, all] {
+        all->setEnabled(!ownYarns().empty());
         const bool own = chosen() && yarn::isOwn(ownFolder(), chosen()->id);
         edit->setEnabled(own);
         forget->setEnabled(own);
@@ -77,11 +84,11 @@ void YarnPanel::importYarns() {
                                                             tr("Yarns (*.json);;All files (*)"));
     std::string last;
     for (const QString& path : paths) {
-        const auto imported = yarn::importYarn(path.toStdString(), ownFolder());
+        const auto imported = yarn::importYarns(path.toStdString(), ownFolder());
         if (!imported) {
-            tellProblem(tr("%1 is no yarn that can be read").arg(path), imported.diagnostics());
+            tellProblem(tr("%1 holds no yarns that can be read").arg(path), imported.diagnostics());
         } else {
-            last = imported.value().id;
+            last = imported.value().back().id;
         }
     }
     if (!last.empty()) {
@@ -97,11 +104,30 @@ void YarnPanel::exportYarn() {
     }
     const QString path = QFileDialog::getSaveFileName(
         this, tr("Export the yarn"), QString::fromStdString(chosen->id + ".json"), tr("Yarns (*.json)"));
-    if (!path.isEmpty()) {
-        const auto written = writeFileAtomically(path.toStdString(), yarn::toJson(*chosen));
-        if (!written) {
-            tellProblem(tr("The yarn could not be written"), written.diagnostics());
-        }
+    writeYarns(path, yarn::toJson(*chosen));
+}
+
+void YarnPanel::exportOwnYarns() {
+    const QString path = QFileDialog::getSaveFileName(this, tr("Export all own yarns"),
+                                                      QStringLiteral("yarns.json"), tr("Yarns (*.json)"));
+    writeYarns(path, yarn::toJson(ownYarns()));
+}
+
+std::vector<yarn::Yarn> YarnPanel::ownYarns() const {
+    std::vector<yarn::Yarn> own;
+    std::ranges::copy_if(m_document.library().yarns(), std::back_inserter(own),
+                         [](const yarn::Yarn& yarn) { return yarn::isOwn(ownFolder(), yarn.id); });
+    return own;
+}
+
+/// Nothing where there is no path.
+void YarnPanel::writeYarns(const QString& path, const std::string& json) {
+    if (path.isEmpty()) {
+        return;
+    }
+    const auto written = writeFileAtomically(path.toStdString(), json);
+    if (!written) {
+        tellProblem(tr("The yarns could not be written"), written.diagnostics());
     }
 }
 
@@ -116,9 +142,11 @@ void YarnPanel::forgetYarn() {
 }
 
 void YarnPanel::tellProblem(const QString& title, const Diagnostics& problems) {
-    QMessageBox::warning(this, title,
-                         title + QStringLiteral(".\n") +
-                             (problems.empty() ? QString() : document::causeText(problems.front())));
+    QString text = title + QStringLiteral(".");
+    for (std::size_t i = 0; i < std::min(problems.size(), kMostTold); ++i) {
+        text += u'\n' + document::causeText(problems[i]);
+    }
+    QMessageBox::warning(this, title, text);
 }
 
 /// `select`: id of the yarn to show; empty: the first.
