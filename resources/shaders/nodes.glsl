@@ -52,7 +52,8 @@ vec3 unpackDirection(uint bits) {
 // selected is seen there too.
 float openTo(Node node, vec3 outwards, float depth) {
     float hidden = max(0.0, 0.25 * node.hidden.w + 0.5 * dot(node.hidden.xyz, outwards));
-    return mix((0.2 + 0.8 * smoothstep(-1.5, 0.9, depth)) / (1.0 + 1.4 * hidden), 1.0, 0.6 * node.glow);
+    float open = (0.2 + 0.8 * smoothstep(-1.5, 0.9, depth)) / (1.0 + 1.4 * hidden);
+    return mix(max(0.3, open), 1.0, 0.6 * node.glow);
 }
 
 // Fills the outputs that do not depend on the vertex around the node.
