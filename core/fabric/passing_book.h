@@ -46,8 +46,8 @@ public:
     };
 
     /// These pairs pass each other at one moment: those that passed before the other way undo that, the
-    /// others make new passings, which lie on a strand in the order in which those that it passes are known to
-    /// stand along the bed, otherwise by age. `moment` as in Passing.
+    /// others make new passings, which lie on a strand in the order in which those that it passes are known
+    /// to stand along the bed, otherwise by age. `moment` as in Passing.
     void pass(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment);
 
     /// Undoes an earlier passing only. False when there is none that this undoes.
