@@ -55,14 +55,41 @@ void PassingBook::pass(std::span<const Pair> pairs, OperationIndex operation, st
                               .place = static_cast<float>(pairs[i].place),
                               .moment = moment});
     }
-    // On the strands by age, too: the same from either side.
-    for (const std::size_t i : m_left) {
+    while (!m_left.empty()) {
+        const auto next = findFirst(pairs);
+        const std::size_t i = *next;
+        m_left.erase(next);
         const auto among = std::ranges::lower_bound(m_inOrder, i) - m_inOrder.begin();
         const auto number = static_cast<std::int32_t>(first) + static_cast<std::int32_t>(among);
         settle(pairs[i]);
         list(pairs[i].over).push_back(number);
         list(pairs[i].under).push_back(number);
     }
+}
+
+/// Of those that are left the first that comes to lie on its strands: by age, the same from either side, but
+/// those that have an order along the bed in that order.
+std::vector<std::size_t>::iterator PassingBook::findFirst(std::span<const Pair> pairs) {
+    const auto first = std::ranges::find_if(m_left, [&](std::size_t i) {
+        return std::ranges::none_of(m_left, [&](std::size_t k) { return isMetBefore(pairs[k], pairs[i]); });
+    });
+    return first == m_left.end() ? m_left.begin() : first;
+}
+
+/// Both are passings of one strand, and what it passes in `a` stands nearer on its way.
+bool PassingBook::isMetBefore(const Pair& a, const Pair& b) const {
+    const auto passes = [](const Pair& pair, Strand strand) {
+        return pair.over == strand || pair.under == strand;
+    };
+    if (passes(b, a.over) == passes(b, a.under)) {
+        return false;
+    }
+    const bool over = passes(b, a.over); // the strand that passes both
+    const Strand near = over ? a.under : a.over;
+    const Strand far = b.over == (over ? a.over : a.under) ? b.under : b.over;
+    const std::int32_t last = findLast(near, far);
+    const bool rightward = (a.sign > 0) == over;
+    return last >= 0 && (directionOf(far, at(last)) > 0) == rightward;
 }
 
 /// The two that pass each other may have had no order until now. They had this one: what passed both at one

@@ -46,7 +46,8 @@ public:
     };
 
     /// These pairs pass each other at one moment: those that passed before the other way undo that, the
-    /// others make new passings. `moment` as in Passing.
+    /// others make new passings, which lie on a strand in the order in which those that it passes are known
+    /// to stand along the bed, otherwise by age. `moment` as in Passing.
     void pass(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment);
 
     /// Undoes an earlier passing only. False when there is none that this undoes.
@@ -73,6 +74,8 @@ private:
     using List = std::vector<std::int32_t>;
 
     List& list(Strand strand);
+    std::vector<std::size_t>::iterator findFirst(std::span<const Pair> pairs);
+    bool isMetBefore(const Pair& a, const Pair& b) const;
     void settle(const Pair& pair);
     void putInOrder(Strand strand, std::int32_t first, std::int32_t second);
     void undoEldestFirst(std::span<const Pair> pairs);

@@ -87,5 +87,23 @@ TEST(PassingBook, WhatStoodAtOnePlaceIsPutInOrderWhenItParts) {
     }
 }
 
+/// A stands on the right of B since it passed it. X, which then passes both at one moment on its way to the
+/// right, meets B first, though A is older; the same on the way back.
+TEST(PassingBook, WhatIsPassedAtOneMomentLiesInItsKnownOrder) {
+    for (const bool leftFirst : {true, false}) {
+        Book test;
+        test.pass(kA, kB, 1);
+        const PassingBook::Pair right{kA, kX, -1};
+        const PassingBook::Pair left{kX, kB, 1};
+        const std::array pairs{leftFirst ? left : right, leftFirst ? right : left};
+        test.book.pass(pairs, 0, ++test.moment);
+        const std::vector<std::int32_t> met = test.book.on(kX);
+        ASSERT_EQ(met.size(), 2U);
+        EXPECT_EQ(test.book.passings()[static_cast<std::size_t>(met[0])].other(kX), kB);
+        test.pass(kA, kB, -1); // X lies in the gap and runs through
+        EXPECT_TRUE(test.book.passings()[0].undone);
+    }
+}
+
 } // namespace
 } // namespace knittsim::fabric
