@@ -4,6 +4,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QApplication>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QKeyEvent>
@@ -94,6 +95,10 @@ bool KeyGuard::eventFilter(QObject* watched, QEvent* event) {
         return false;
     }
     auto* widget = qobject_cast<QWidget*>(watched);
+    // What a control leaves goes on to those it lies in; it is for the control to say.
+    if (QWidget* focus = QApplication::focusWidget(); widget && focus && widget->isAncestorOf(focus)) {
+        widget = focus;
+    }
     auto* key = static_cast<QKeyEvent*>(event);
     return widget && (overrides ? takesOverride(widget, key) : takesPress(widget, *key));
 }

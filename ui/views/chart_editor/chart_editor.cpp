@@ -46,6 +46,7 @@ ChartEditor::ChartEditor(document::Document& document, ChartLook& look, QWidget*
         line->setTextFormat(Qt::PlainText);
         line->setMinimumWidth(0);
         line->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        line->setWordWrap(true);
     }
     m_toolHint->setContentsMargins(8, 3, 8, 0);
     m_hint->setContentsMargins(8, 1, 8, 4);
