@@ -1,5 +1,6 @@
 #include "tests/support/build.h"
 #include "tests/support/lattice.h"
+#include "tests/support/temporary_folder.h"
 #include "ui/render/egl_context.h"
 #include "ui/render/picture_sequence.h"
 
@@ -20,8 +21,6 @@ protected:
         if (!EglContext::create()) {
             GTEST_SKIP() << "no OpenGL";
         }
-        fs::remove_all(m_parent);
-        fs::create_directories(m_parent);
         m_look.fabric = &m_fabric;
         m_look.width = 64;
         m_look.height = 48;
@@ -33,27 +32,20 @@ protected:
             m_shapes.push_back({std::move(places)});
         }
     }
-    void TearDown() override { fs::remove_all(m_parent); }
-
-    std::size_t entries() const {
-        return static_cast<std::size_t>(
-            std::distance(fs::directory_iterator(m_parent), fs::directory_iterator()));
-    }
-
     fabric::Fabric m_fabric = test::build("in 1\n" + test::pass("knit", 'f', 3, 0, 1) +
                                           test::pass("knit", 'f', 0, 3, 1) + "out 1\n");
     RenderRequest m_look;
     std::vector<simulation::SettlingShape> m_shapes;
-    fs::path m_parent = fs::path(testing::TempDir()) / "knittsim-sequence";
+    test::TemporaryFolder m_folder;
 };
 
 TEST_F(PictureSequence, HasOneNumberedPictureForEachShapeFromOnePlace) {
-    ASSERT_TRUE(writeSequence(m_parent / "frames", m_look, m_shapes));
-    EXPECT_EQ(entries(), 1U);
-    const auto first = readPng(m_parent / "frames/0001.png");
-    const auto last = readPng(m_parent / "frames/0003.png");
+    ASSERT_TRUE(writeSequence(m_folder / "frames", m_look, m_shapes));
+    EXPECT_EQ(m_folder.entryCount(), 1);
+    const auto first = readPng(m_folder / "frames/0001.png");
+    const auto last = readPng(m_folder / "frames/0003.png");
     ASSERT_TRUE(first && last);
-    EXPECT_FALSE(fs::exists(m_parent / "frames/0004.png"));
+    EXPECT_FALSE(fs::exists(m_folder / "frames/0004.png"));
     EXPECT_EQ(first->width, 64);
     // The camera stays, so that the fabric is seen to shrink: more of the last picture is ground.
     const auto ground = [](const Image& image) {
@@ -71,33 +63,33 @@ TEST_F(PictureSequence, HasOneNumberedPictureForEachShapeFromOnePlace) {
 TEST_F(PictureSequence, NothingIsLeftWhenItIsCancelled) {
     int asked = 0;
     const auto written =
-        writeSequence(m_parent / "frames", m_look, m_shapes, [&asked](double) { return ++asked < 3; });
+        writeSequence(m_folder / "frames", m_look, m_shapes, [&asked](double) { return ++asked < 3; });
     ASSERT_FALSE(written);
     EXPECT_EQ(written.diagnostics().front().id, "KS0009");
-    EXPECT_EQ(entries(), 0U);
+    EXPECT_EQ(m_folder.entryCount(), 0);
 }
 
 TEST_F(PictureSequence, WhatIsThereStays) {
-    fs::create_directories(m_parent / "frames");
-    std::ofstream(m_parent / "frames/mine.txt") << "mine";
-    const auto written = writeSequence(m_parent / "frames", m_look, m_shapes);
+    fs::create_directories(m_folder / "frames");
+    std::ofstream(m_folder / "frames/mine.txt") << "mine";
+    const auto written = writeSequence(m_folder / "frames", m_look, m_shapes);
     ASSERT_FALSE(written);
     EXPECT_EQ(written.diagnostics().front().id, "KS0002");
-    EXPECT_TRUE(fs::exists(m_parent / "frames/mine.txt"));
-    EXPECT_EQ(entries(), 1U);
+    EXPECT_TRUE(fs::exists(m_folder / "frames/mine.txt"));
+    EXPECT_EQ(m_folder.entryCount(), 1);
 }
 
 TEST_F(PictureSequence, WhatACrashLeftIsNoObstacle) {
-    fs::create_directories(m_parent / "frames.part1");
-    ASSERT_TRUE(writeSequence(m_parent / "frames", m_look, m_shapes));
-    EXPECT_TRUE(fs::exists(m_parent / "frames/0003.png"));
-    EXPECT_EQ(entries(), 2U);
+    fs::create_directories(m_folder / "frames.part1");
+    ASSERT_TRUE(writeSequence(m_folder / "frames", m_look, m_shapes));
+    EXPECT_TRUE(fs::exists(m_folder / "frames/0003.png"));
+    EXPECT_EQ(m_folder.entryCount(), 2);
 }
 
 TEST_F(PictureSequence, APictureThatCannotBeMadeLeavesNothing) {
     m_look.width = 0;
-    EXPECT_FALSE(writeSequence(m_parent / "frames", m_look, m_shapes));
-    EXPECT_EQ(entries(), 0U);
+    EXPECT_FALSE(writeSequence(m_folder / "frames", m_look, m_shapes));
+    EXPECT_EQ(m_folder.entryCount(), 0);
 }
 
 } // namespace

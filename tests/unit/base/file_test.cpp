@@ -1,4 +1,5 @@
 #include "core/base/file.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -16,23 +17,15 @@ namespace fs = std::filesystem;
 /// A folder of its own for each test, removed with it.
 class FileTest : public testing::Test {
 protected:
-    void SetUp() override {
-        std::string pattern = (fs::temp_directory_path() / "knittsim-base-XXXXXX").string();
-        ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-        m_folder = pattern;
-    }
-    void TearDown() override { fs::remove_all(m_folder); }
-
     fs::path put(const std::string& name, const std::string& bytes) {
         std::ofstream(m_folder / name, std::ios::binary) << bytes;
         return m_folder / name;
     }
 
-    std::ptrdiff_t entryCount() const {
-        return std::distance(fs::directory_iterator(m_folder), fs::directory_iterator());
-    }
+    std::ptrdiff_t entryCount() const { return m_temporary.entryCount(); }
 
-    fs::path m_folder;
+    test::TemporaryFolder m_temporary;
+    const std::filesystem::path m_folder = m_temporary.path();
 };
 
 /// While it lives no file may grow beyond `bytes`; a write that tries fails instead of ending the program.

@@ -1,6 +1,7 @@
 #include "core/export/report.h"
 #include "core/fabric/fabric_builder.h"
 #include "tests/support/build.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -162,13 +163,13 @@ TEST(JsonReport, AFileThatCannotBeReadHasFindingsOnly) {
 
 TEST(WriteReport, TheExtensionChoosesTheFormat) {
     const Report report = makeReport(test::timeline(kProgram));
-    const std::filesystem::path folder = testing::TempDir();
+    const test::TemporaryFolder folder;
     const auto text = [](const std::filesystem::path& path) { return readFile(path).value(); };
-    ASSERT_TRUE(writeReport(report, folder / "knittsim-report.HTML"));
-    EXPECT_EQ(text(folder / "knittsim-report.HTML"), toHtml(report));
-    ASSERT_TRUE(writeReport(report, folder / "knittsim-report.json"));
-    EXPECT_EQ(text(folder / "knittsim-report.json"), toJson(report));
-    EXPECT_EQ(writeReport(report, folder / "knittsim-report.pdf").diagnostics().at(0).id, "KS0025");
+    ASSERT_TRUE(writeReport(report, folder / "report.HTML"));
+    EXPECT_EQ(text(folder / "report.HTML"), toHtml(report));
+    ASSERT_TRUE(writeReport(report, folder / "report.json"));
+    EXPECT_EQ(text(folder / "report.json"), toJson(report));
+    EXPECT_EQ(writeReport(report, folder / "report.pdf").diagnostics().at(0).id, "KS0025");
     EXPECT_EQ(writeReport(report, folder / "none" / "a.html").diagnostics().at(0).id, "KS0002");
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/export/write_shape.h"
 #include "tests/support/build.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -40,13 +41,6 @@ inline Shape swatch(int wales = 8) {
 /// A folder of its own for each test, removed with it.
 class ExportTest : public testing::Test {
 protected:
-    void SetUp() override {
-        std::string pattern = (std::filesystem::temp_directory_path() / "knittsim-export-XXXXXX").string();
-        ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-        m_folder = pattern;
-    }
-    void TearDown() override { std::filesystem::remove_all(m_folder); }
-
     std::string written(const std::string& name, const Shape& shape, const WriteOptions& options = {}) {
         const auto result = writeShape(m_folder / name, shape, options);
         EXPECT_TRUE(result) << name;
@@ -54,12 +48,10 @@ protected:
         return bytes ? std::move(bytes).value() : std::string();
     }
 
-    std::ptrdiff_t entryCount() const {
-        return std::distance(std::filesystem::directory_iterator(m_folder),
-                             std::filesystem::directory_iterator());
-    }
+    std::ptrdiff_t entryCount() const { return m_temporary.entryCount(); }
 
-    std::filesystem::path m_folder;
+    test::TemporaryFolder m_temporary;
+    const std::filesystem::path m_folder = m_temporary.path();
 };
 
 } // namespace knittsim::exports

@@ -8,6 +8,7 @@
 #include "core/formats/shima_dat/writer.h"
 #include "core/machine/profile.h"
 #include "core/yarn/yarn_library.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -79,14 +80,10 @@ private:
 class BadFile : public testing::TestWithParam<Kind> {
 protected:
     void SetUp() override {
-        std::string pattern = (fs::temp_directory_path() / "knittsim-bad-XXXXXX").string();
-        ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-        m_folder = pattern;
         if (is("a.jac")) {
             std::ofstream(m_folder / "a.sin") << "<< S:A-0; Y:1; S1\n";
         }
     }
-    void TearDown() override { fs::remove_all(m_folder); }
 
     bool is(const std::string& name) const { return GetParam().name == name; }
     bool isText() const { return !is("a.dat"); }
@@ -146,7 +143,8 @@ protected:
         return usage.ru_maxrss / 1024;
     }
 
-    fs::path m_folder;
+    test::TemporaryFolder m_temporary;
+    const std::filesystem::path m_folder = m_temporary.path();
 };
 
 TEST_P(BadFile, TheSampleOpens) {

@@ -2,6 +2,7 @@
 #include "core/formats/formats.h"
 #include "core/formats/knitout/reader.h"
 #include "core/formats/shima_dat/raster.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,13 +18,6 @@ namespace fs = std::filesystem;
 /// A folder of its own for each test, removed with it.
 class ReadProgram : public testing::Test {
 protected:
-    void SetUp() override {
-        std::string pattern = (fs::temp_directory_path() / "knittsim-formats-XXXXXX").string();
-        ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-        m_folder = pattern;
-    }
-    void TearDown() override { fs::remove_all(m_folder); }
-
     Result<machine::Program> readBytes(const std::string& name, const std::string& bytes) {
         std::ofstream(m_folder / name, std::ios::binary) << bytes;
         return readProgram(m_folder / name);
@@ -35,7 +29,8 @@ protected:
         return first.id == "KS0006" ? first.arguments.at(0) : first.id;
     }
 
-    fs::path m_folder;
+    test::TemporaryFolder m_temporary;
+    const std::filesystem::path m_folder = m_temporary.path();
 };
 
 const std::string kKnitout = ";!knitout-2\n;;Carriers: 1\npause\n";

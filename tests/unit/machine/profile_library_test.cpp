@@ -1,5 +1,6 @@
 #include "core/machine/profile_library.h"
 #include "tests/support/build.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 
@@ -16,12 +17,6 @@ const fs::path kShipped = fs::path(KNITTSIM_SOURCE_DIR) / "resources/machines";
 
 class Profiles : public testing::Test {
 protected:
-    void SetUp() override {
-        fs::remove_all(m_own);
-        fs::create_directories(m_own);
-    }
-    void TearDown() override { fs::remove_all(m_own); }
-
     /// The generic profile with some text replaced, as a user would begin.
     void addOwn(const char* file, const std::string& old, const std::string& now) {
         std::ostringstream text;
@@ -42,9 +37,8 @@ protected:
         return profile ? profile.value().id : std::string();
     }
 
-    fs::path m_own =
-        fs::path(testing::TempDir()) /
-        (std::string("machines-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    test::TemporaryFolder m_temporary;
+    const fs::path m_own = m_temporary.path();
     Diagnostics m_problems;
 };
 

@@ -12,6 +12,7 @@
 #include "knitted.h"
 #include "tests/support/for_random_programs.h"
 #include "tests/support/machine_data.h"
+#include "tests/support/temporary_folder.h"
 
 namespace knittsim::pattern {
 namespace {
@@ -251,12 +252,12 @@ TEST(Lift, FilesOfEveryKindBecomeProjects) {
     const auto lace = readAnyProject(patterns / "lace.k");
     ASSERT_TRUE(lace);
     EXPECT_EQ(plainWords(lace.value().chart).courses, plainWords(sampleChart("lace")).courses);
-    const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "lifted_lace.knitt";
+    const test::TemporaryFolder folder;
+    const std::filesystem::path file = folder / "lifted_lace.knitt";
     ASSERT_TRUE(writeFileAtomically(file, writeProject(lace.value())));
     const auto again = readAnyProject(file);
     ASSERT_TRUE(again);
     EXPECT_EQ(again.value(), lace.value());
-    std::filesystem::remove(file);
     EXPECT_EQ(readAnyProject(patterns / "missing.k").diagnostics()[0].id, "KS0001");
 }
 

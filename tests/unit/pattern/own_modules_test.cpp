@@ -1,6 +1,7 @@
 #include "core/base/file.h"
 #include "core/pattern/own_modules.h"
 #include "knitted.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -11,14 +12,6 @@ namespace {
 
 class OwnModules : public ::testing::Test {
 protected:
-    void SetUp() override {
-        m_folder =
-            std::filesystem::path(::testing::TempDir()) /
-            ("own_modules_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-        std::filesystem::remove_all(m_folder);
-    }
-    void TearDown() override { std::filesystem::remove_all(m_folder); }
-
     std::vector<std::string> names() const {
         Diagnostics problems;
         std::vector<std::string> all;
@@ -28,7 +21,8 @@ protected:
         return all;
     }
 
-    std::filesystem::path m_folder;
+    test::TemporaryFolder m_temporary;
+    const std::filesystem::path m_folder = m_temporary.path();
 };
 
 TEST_F(OwnModules, AreReadAsTheyWereSaved) {

@@ -2,6 +2,7 @@
 #include "core/pattern/sample_charts.h"
 #include "core/pattern/samples.h"
 #include "core/pattern/swatch.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -171,7 +172,8 @@ TEST(Project, AFileOfVersion1OnOneBedKeepsItsTucks) {
 }
 
 TEST(Project, PictureAndViewAreReadWithoutTheChart) {
-    const auto path = std::filesystem::path(testing::TempDir()) / "look.knitt";
+    const test::TemporaryFolder folder;
+    const auto path = folder / "look.knitt";
     const Project project{.chart = plainChart(3, 2), .machine = {}};
     std::ofstream(path) << writeProject(project, {.thumbnail = "QUJD", .view = "REVG"});
     EXPECT_EQ(readLook(path).thumbnail, "QUJD");

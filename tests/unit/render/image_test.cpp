@@ -1,3 +1,4 @@
+#include "tests/support/temporary_folder.h"
 #include "ui/render/image.h"
 
 #include <gtest/gtest.h>
@@ -9,14 +10,8 @@ namespace {
 
 class ImageFile : public testing::Test {
 protected:
-    void SetUp() override {
-        m_path = std::filesystem::temp_directory_path() /
-                 (std::string("knittsim-image-") +
-                  testing::UnitTest::GetInstance()->current_test_info()->name() + ".png");
-    }
-    void TearDown() override { std::filesystem::remove(m_path); }
-
-    std::filesystem::path m_path;
+    test::TemporaryFolder m_folder;
+    const std::filesystem::path m_path = m_folder / "image.png";
 };
 
 TEST_F(ImageFile, comesBackAsItWasWritten) {

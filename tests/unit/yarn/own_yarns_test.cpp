@@ -1,20 +1,17 @@
 #include "core/base/file.h"
 #include "core/yarn/own_yarns.h"
 #include "core/yarn/yarn_library.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
-
-#include <unistd.h>
 
 namespace knittsim::yarn {
 namespace {
 
 class OwnYarns : public testing::Test {
 protected:
-    void SetUp() override { std::filesystem::remove_all(m_folder); }
-    void TearDown() override { std::filesystem::remove_all(m_folder); }
-    const std::filesystem::path m_folder =
-        std::filesystem::temp_directory_path() / ("knittsim_own_yarns_" + std::to_string(::getpid()));
+    test::TemporaryFolder m_temporary;
+    const std::filesystem::path m_folder = m_temporary.path();
 };
 
 TEST_F(OwnYarns, AreKeptReadAndForgotten) {
@@ -37,7 +34,6 @@ TEST_F(OwnYarns, NoIdLeavesTheFolder) {
 }
 
 TEST_F(OwnYarns, ABadFileIsNotImported) {
-    std::filesystem::create_directories(m_folder);
     ASSERT_TRUE(writeFileAtomically(m_folder / "in.txt", "{\"id\": \"x\"}"));
     const auto read = importYarns(m_folder / "in.txt", m_folder / "own");
     ASSERT_FALSE(read);
@@ -51,7 +47,6 @@ TEST_F(OwnYarns, ABadFileIsNotImported) {
 }
 
 TEST_F(OwnYarns, ALibraryInOneFileComesBackWhole) {
-    std::filesystem::create_directories(m_folder);
     Yarn wool = defaultYarn();
     wool.id = "wool";
     wool.sources = {{"friction", "measured on a tensiometer"}};

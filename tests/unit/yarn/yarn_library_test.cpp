@@ -1,5 +1,6 @@
 #include "core/base/file.h"
 #include "core/yarn/yarn_library.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 
@@ -11,15 +12,6 @@ using ::testing::SizeIs;
 
 class LibraryFolder : public ::testing::Test {
 protected:
-    void SetUp() override {
-        const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-        folder =
-            std::filesystem::path(::testing::TempDir()) / (std::string("knittsim_yarns_") + test->name());
-        std::filesystem::remove_all(folder);
-        std::filesystem::create_directories(folder);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder); }
-
     void write(const std::string& name, const std::string& text) {
         ASSERT_TRUE(writeFileAtomically(folder / name, text));
     }
@@ -30,7 +22,8 @@ protected:
         return yarn;
     }
 
-    std::filesystem::path folder;
+    const test::TemporaryFolder m_temporary;
+    const std::filesystem::path folder = m_temporary.path();
 };
 
 TEST_F(LibraryFolder, IsSortedByIdWhateverTheFileNames) {
