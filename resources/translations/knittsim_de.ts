@@ -3463,20 +3463,20 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
         <translation>Anlegen</translation>
     </message>
     <message>
-        <source>One loop a wale: knit, purl, cables, lace</source>
-        <translation>Eine Masche je Stäbchen: rechts, links, Zöpfe, Lochmuster</translation>
+        <source>Single: knit, purl, colours, cables, lace</source>
+        <translation>Einfach: rechts, links, Farben, Zöpfe, Lochmuster</translation>
     </message>
     <message>
-        <source>Both beds at once: jacquard with a back, tubes, full ribs</source>
-        <translation>Beide Betten zugleich: Jacquard mit Rückseite, Schläuche, volle Rippen</translation>
+        <source>Double: full ribs, tubes, jacquard with a back</source>
+        <translation>Doppelt: volle Rippen, Schläuche, Jacquard mit Rückseite</translation>
     </message>
     <message>
-        <source>Whether front and rear needle of a wale work side by side</source>
-        <translation>Ob vordere und hintere Nadel eines Stäbchens nebeneinander arbeiten</translation>
+        <source>Double: front and rear needle of each wale knit side by side; Pattern &gt; Work on both beds changes it</source>
+        <translation>Doppelt: vordere und hintere Nadel jedes Stäbchens stricken nebeneinander; Patrone &gt; Auf beiden Betten arbeiten ändert es</translation>
     </message>
     <message>
-        <source>&amp;Beds</source>
-        <translation>&amp;Betten</translation>
+        <source>&amp;Fabric</source>
+        <translation>Gestric&amp;k</translation>
     </message>
     <message>
         <source> stitches across</source>

@@ -50,15 +50,16 @@ NewChartDialog::NewChartDialog(QString machine, QWidget* parent)
         }
     }
     m_beds->setObjectName(QStringLiteral("newBeds"));
-    m_beds->addItem(tr("One loop a wale: knit, purl, cables, lace"));
-    m_beds->addItem(tr("Both beds at once: jacquard with a back, tubes, full ribs"));
-    m_beds->setToolTip(tr("Whether front and rear needle of a wale work side by side"));
+    m_beds->addItem(tr("Single: knit, purl, colours, cables, lace"));
+    m_beds->addItem(tr("Double: full ribs, tubes, jacquard with a back"));
+    m_beds->setToolTip(tr("Double: front and rear needle of each wale knit side by side; Pattern > Work on "
+                          "both beds changes it"));
     auto* form = new QFormLayout;
     form->addRow(tr("&Wales"), m_wales);
     form->addRow(tr("&Courses"), m_courses);
     form->addRow(tr("&Yarns"), m_yarns);
     form->addRow(tr("&Ground"), m_ground);
-    form->addRow(tr("&Beds"), m_beds);
+    form->addRow(tr("&Fabric"), m_beds);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setText(tr("Create"));
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
