@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <ranges>
 
 namespace knittsim::fabric {
 
@@ -13,6 +15,7 @@ constexpr double kHalfGap = 0.8;    ///< from the middle to the hooks of a bed
 constexpr double kHalfHead = 0.22;  ///< half the width of a loop in its hook
 constexpr double kShaft = 2.2;      ///< visible part of a needle
 constexpr double kLeastWidth = 0.2; ///< a wale is at least so wide, in pitches of the machine
+constexpr double kStretched = 1;    ///< the fabric ends so far below its hooks at most
 
 std::vector<std::size_t> headsOf(const Fabric& fabric, const HeldStack& stack) {
     std::vector<std::size_t> entries;
@@ -62,6 +65,56 @@ Scale scaleOf(const Fabric& fabric, const std::vector<HeldStack>& stacks,
     return scale;
 }
 
+/// How far the fabric is lifted at places across it, so that it comes near its needles where it ends lower
+/// than elsewhere. Nowhere farther than one wale beside allows, as layers hang side by side.
+class Lift {
+public:
+    Lift(const Fabric& fabric, const std::vector<HeldStack>& stacks, double width, double top,
+         const std::vector<float>& positions)
+        : m_step(0.5 * width) {
+        std::vector<std::pair<double, double>> wanted;
+        for (const HeldStack& stack : stacks) {
+            for (const std::size_t entry : headsOf(fabric, stack)) {
+                const double low = top - static_cast<double>(positions[3 * entry + 1]);
+                wanted.emplace_back(static_cast<double>(positions[3 * entry]),
+                                    std::max(0.0, low - kStretched * width));
+            }
+        }
+        const auto [left, right] = std::ranges::minmax(wanted | std::views::keys);
+        m_left = left;
+        m_any = std::ranges::any_of(wanted | std::views::values, [](double lift) { return lift > 0; });
+        constexpr std::size_t kReach = 1; // cells: half a wale
+        m_cells.assign(static_cast<std::size_t>((right - left) / m_step) + 2, kUnknown);
+        for (const auto& [x, lift] : wanted) {
+            const auto cell = static_cast<std::size_t>((x - left) / m_step);
+            const std::size_t end = std::min(m_cells.size(), cell + kReach + 1);
+            for (std::size_t i = cell - std::min(cell, kReach); i < end; ++i) {
+                m_cells[i] = std::min(m_cells[i], lift);
+            }
+        }
+        for (std::size_t i = 1; i < m_cells.size(); ++i) {
+            m_cells[i] = m_cells[i] == kUnknown ? m_cells[i - 1] : m_cells[i];
+        }
+    }
+
+    bool any() const { return m_any; }
+
+    double at(double x) const {
+        const auto last = static_cast<double>(m_cells.size() - 1);
+        const double place = std::clamp((x - m_left) / m_step, 0.0, last);
+        const auto cell = std::min(static_cast<std::size_t>(place), m_cells.size() - 2);
+        return std::lerp(m_cells[cell], m_cells[cell + 1], place - static_cast<double>(cell));
+    }
+
+private:
+    static constexpr double kUnknown = std::numeric_limits<double>::max();
+
+    double m_step;
+    double m_left = 0;
+    bool m_any = false;
+    std::vector<double> m_cells; ///< from m_left, m_step apart
+};
+
 } // namespace
 
 std::vector<HeldStack> heldStacks(const machine::MachineState& state) {
@@ -96,6 +149,12 @@ std::vector<NeedleHook> hangOnNeedles(const Fabric& fabric, const std::vector<He
         }
     }
     depth /= static_cast<double>(count);
+    if (const Lift lift(fabric, stacks, scale.width, top, positions); lift.any()) {
+        for (std::size_t entry = 0; 3 * entry < positions.size(); ++entry) {
+            positions[3 * entry + 1] +=
+                static_cast<float>(lift.at(static_cast<double>(positions[3 * entry])));
+        }
+    }
     std::vector<NeedleHook> hooks;
     for (const HeldStack& stack : stacks) {
         const double side = machine::isFront(stack.needle.bed) ? 1 : -1;

@@ -27,7 +27,8 @@ std::vector<HeldStack> heldStacks(const machine::MachineState& state);
 
 /// Hangs the held loops of a fabric on their needles: `positions` (3 per entry, mm) of their heads move to
 /// where the needles stand, above the fabric, front and rear bed apart, a racked bed aside. Needles stand as
-/// far apart as the fabric under them is wide, so that it hangs down straight.
+/// far apart as the fabric under them is wide, so that it hangs down straight. Where fewer courses are
+/// knitted (short rows) the fabric is lifted, so that no held loop is drawn much longer than it is.
 std::vector<NeedleHook> hangOnNeedles(const Fabric& fabric, const std::vector<HeldStack>& stacks,
                                       const machine::Operation* working, std::vector<float>& positions);
 

@@ -99,6 +99,45 @@ TEST(NeedleHooks, ARackedBedTakesItsLoopsAsideAndTheTransferIsMarked) {
     EXPECT_EQ(std::ranges::count_if(done.hooks, &NeedleHook::works), 1);
 }
 
+/// Short rows end many courses below the needles on one side: the fabric is lifted there, wale by wale.
+TEST(NeedleHooks, WhereFewerCoursesAreKnittedTheFabricIsLifted) {
+    const machine::Timeline timeline(pattern::makeSample("short-rows"), machine::genericProfile());
+    double most = 0;
+    for (OperationIndex count = 60; count < timeline.operationCount(); count += 41) {
+        const Fabric fabric = buildFabric(timeline, count);
+        const auto height = [&fabric](PointIndex point, const std::vector<float>& at) {
+            return at[3 * static_cast<std::size_t>(fabric.points[static_cast<std::size_t>(point)].entry) + 1];
+        };
+        // As after settling: no loop is longer than a course, wherever its needle is.
+        std::vector<float> settled = machinePlaces(fabric);
+        const auto stacks = heldStacks(timeline.stateAfter(count));
+        std::vector<Loop> held;
+        for (const HeldStack& stack : stacks) {
+            for (const LoopIndex index : stack.loops) {
+                const Loop& loop = fabric.loops[static_cast<std::size_t>(index)];
+                if (loop.footLeft < 0) {
+                    continue; // a tuck has none
+                }
+                held.push_back(loop);
+                for (const PointIndex head : {loop.headLeft, loop.headRight}) {
+                    const auto entry =
+                        static_cast<std::size_t>(fabric.points[static_cast<std::size_t>(head)].entry);
+                    settled[3 * entry + 1] =
+                        height(loop.footLeft, settled) + static_cast<float>(fabric.pitchMm);
+                }
+            }
+        }
+        std::vector<float> hung = settled;
+        hangOnNeedles(fabric, stacks, nullptr, hung);
+        for (const Loop& loop : held) {
+            EXPECT_LT(height(loop.headLeft, hung) - height(loop.footLeft, hung), 6 * fabric.pitchMm);
+            most = std::max(
+                most, static_cast<double>(height(loop.footLeft, hung) - height(loop.footLeft, settled)));
+        }
+    }
+    EXPECT_GT(most, 10); // mm: without the lift a loop would be drawn so much too long
+}
+
 TEST(NeedleHooks, AnEmptyMachineHasNone) {
     std::vector<float> none;
     EXPECT_TRUE(hangOnNeedles(Fabric(), {}, nullptr, none).empty());
