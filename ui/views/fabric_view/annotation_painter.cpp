@@ -232,7 +232,6 @@ void paintNeedles(QPainter& painter, const CanvasContent& content, const Annotat
     const Vec3f towards = content.camera.towardsViewer();
     std::ranges::stable_sort(order, {},
                              [&](const fabric::NeedleHook* hook) { return hook->place.dot(towards); });
-    std::array<double, 2> labelled{-1e9, -1e9}; // by bed
     for (const fabric::NeedleHook* hook : order) {
         const QPointF end = onScreen(content, hook->place + hook->shaft);
         const QPointF place = onScreen(content, hook->place);
@@ -251,14 +250,23 @@ void paintNeedles(QPainter& painter, const CanvasContent& content, const Annotat
             painter.setPen(pen);
             painter.drawPath(path);
         }
-        double& last = labelled[front ? 0 : 1];
-        if (hook->works || std::abs(end.x() - last) > apart) {
-            last = end.x();
-            // Rear needles are named in a line above the front ones; the upper edge of the picture cuts none.
-            const double y = std::max(end.y() - (front ? 0.5 : 1.5) * line, (front ? 1.5 : 0.5) * line);
-            paintLabel(painter, {end.x(), y}, QString::fromStdString(machine::toString(hook->needle)),
-                       hook->works ? ink.wale : ink.ink, ink.ground);
+    }
+    // The needles that work are named first; of the others those that have room beside them.
+    std::ranges::stable_sort(order, {}, [](const fabric::NeedleHook* hook) { return !hook->works; });
+    std::array<std::vector<double>, 2> named; // places across, by bed
+    for (const fabric::NeedleHook* hook : order) {
+        const QPointF end = onScreen(content, hook->place + hook->shaft);
+        const bool front = machine::isFront(hook->needle.bed);
+        std::vector<double>& taken = named[front ? 0 : 1];
+        if (!hook->works &&
+            std::ranges::any_of(taken, [&](double x) { return std::abs(end.x() - x) < apart; })) {
+            continue;
         }
+        taken.push_back(end.x());
+        // Rear needles are named in a line above the front ones; the upper edge of the picture cuts none.
+        const double y = std::max(end.y() - (front ? 0.5 : 1.5) * line, (front ? 1.5 : 0.5) * line);
+        paintLabel(painter, {end.x(), y}, QString::fromStdString(machine::toString(hook->needle)),
+                   hook->works ? ink.wale : ink.ink, ink.ground);
     }
 }
 
