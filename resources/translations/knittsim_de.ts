@@ -2205,6 +2205,10 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
         <source>Shift and click the second of them</source>
         <translation>Umschalt und Klick auf das zweite</translation>
     </message>
+    <message>
+        <source>Search what is done, or a key</source>
+        <translation>Suchen, was geschieht, oder eine Taste</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::LegendPanel</name>

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QDialogButtonBox>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QTreeWidget>
@@ -69,16 +70,36 @@ void addFocus(QTreeWidget* list) {
     }
 }
 
+/// Shows what has `words` in it or lies in a group that has; a group without any is hidden.
+void showOnly(const QTreeWidget* list, const QString& words) {
+    const auto has = [&words](const QTreeWidgetItem* item) {
+        return item->text(0).contains(words, Qt::CaseInsensitive) ||
+               item->text(1).contains(words, Qt::CaseInsensitive);
+    };
+    for (int g = 0; g < list->topLevelItemCount(); ++g) {
+        QTreeWidgetItem* group = list->topLevelItem(g);
+        bool any = false;
+        for (int i = 0; i < group->childCount(); ++i) {
+            const bool shown = has(group) || has(group->child(i));
+            group->child(i)->setHidden(!shown);
+            any = any || shown;
+        }
+        group->setHidden(!any);
+    }
+}
+
 } // namespace
 
 KeyDialog::KeyDialog(const QMenuBar* menus, QWidget* parent) : QDialog(parent) {
     setObjectName(QStringLiteral("keyDialog"));
     setWindowTitle(tr("Keys"));
     auto* list = new QTreeWidget(this);
+    list->setObjectName(QStringLiteral("keyList"));
     list->setColumnCount(2);
     list->setHeaderLabels({tr("What"), tr("Key")});
     list->setRootIsDecorated(false);
     list->setAlternatingRowColors(true);
+    list->setStyleSheet(QStringLiteral("QTreeView::item { padding: 2px 0 }")); // dots on capitals have room
     for (const QAction* entry : menus->actions()) {
         QTreeWidgetItem* group = nullptr;
         for (const QAction* action : actionsWithKeys(entry->menu())) {
@@ -93,7 +114,14 @@ KeyDialog::KeyDialog(const QMenuBar* menus, QWidget* parent) : QDialog(parent) {
     list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* search = new QLineEdit(this);
+    search->setObjectName(QStringLiteral("keySearch"));
+    search->setPlaceholderText(tr("Search what is done, or a key"));
+    search->setToolTip(search->placeholderText());
+    search->setClearButtonEnabled(true);
+    connect(search, &QLineEdit::textChanged, list, [list](const QString& words) { showOnly(list, words); });
     auto* rows = new QVBoxLayout(this);
+    rows->addWidget(search);
     rows->addWidget(list, 1);
     rows->addWidget(buttons);
     resize(520, 560);

@@ -15,11 +15,13 @@
 #include <QFile>
 #include <QImageReader>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenuBar>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QToolBar>
 #include <QToolButton>
+#include <QTreeWidget>
 
 namespace knittsim::ui {
 
@@ -187,6 +189,29 @@ private slots:
         }
         dialog->showWord(QStringLiteral("transfer"));
         QTRY_VERIFY(dialog->stage().clock().running() && dialog->stage().clock().phase() > 0.1);
+    }
+
+    void keysAreFoundByWhatTheyDo() {
+        press(Qt::Key_F1);
+        auto* list = m_window->findChild<QTreeWidget*>(QStringLiteral("keyList"));
+        QVERIFY(list);
+        const auto shown = [list] {
+            QStringList found;
+            for (QTreeWidgetItemIterator item(list, QTreeWidgetItemIterator::NoChildren); *item; ++item) {
+                if (!(*item)->isHidden() && !(*item)->parent()->isHidden()) {
+                    found << (*item)->text(0);
+                }
+            }
+            return found;
+        };
+        const qsizetype all = shown().size();
+        QVERIFY(all > 80);
+        QTest::keyClicks(child<QLineEdit>("keySearch"), "previous prob");
+        QCOMPARE(shown(), QStringList{"Previous problem"});
+        child<QLineEdit>("keySearch")->setText("mouse");
+        QVERIFY2(shown().contains("Turn the fabric"), "a group is found by its name");
+        child<QLineEdit>("keySearch")->clear();
+        QCOMPARE(shown().size(), all);
     }
 
     void operationsSpeakEnglishAndGerman() {
