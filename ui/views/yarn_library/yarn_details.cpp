@@ -6,6 +6,7 @@
 
 #include <QColor>
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <cmath>
 
@@ -35,7 +36,7 @@ QString countsText(const yarn::Yarn& yarn) {
     QStringList counts;
     for (const yarn::CountSystem system : yarn::kCountSystems) {
         if (system != yarn::CountSystem::Tex) {
-            counts << QString::fromStdString(yarn::countText(system, yarn.tex));
+            counts << countAsShown(system, yarn.tex);
         }
     }
     return counts.join(QStringLiteral(" \u00b7 "));
@@ -55,6 +56,10 @@ QString colourName(const yarn::Colour& colour) {
 }
 
 } // namespace
+
+QString countAsShown(yarn::CountSystem system, double tex) {
+    return QString::fromStdString(yarn::countText(system, tex)).replace(u'.', QLocale().decimalPoint());
+}
 
 QString yarnDetails(const yarn::Yarn& yarn, const QPalette& palette) {
     const QString faint = accentsOf(palette).faintText.name();

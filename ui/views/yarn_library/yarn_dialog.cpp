@@ -3,6 +3,7 @@
 #include "core/yarn/own_yarns.h"
 #include "core/yarn/yarn_library.h"
 #include "ui/views/style/appearance.h"
+#include "ui/views/yarn_library/yarn_details.h"
 
 #include <QColorDialog>
 #include <QComboBox>
@@ -306,7 +307,7 @@ void YarnDialog::check() {
     QStringList counts;
     for (const yarn::CountSystem system : yarn::kCountSystems) {
         if (tex() > 0) {
-            counts << QString::fromStdString(yarn::countText(system, tex()));
+            counts << countAsShown(system, tex());
         }
     }
     m_counts->setText(counts.isEmpty() ? QString()
