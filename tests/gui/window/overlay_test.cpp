@@ -5,6 +5,7 @@
 #include "tests/gui/window/window_fixture.h"
 #include "ui/views/fabric_view/annotation_painter.h"
 #include "ui/views/fabric_view/fabric_view.h"
+#include "ui/views/fabric_view/overlay.h"
 
 #include <QAction>
 #include <QFile>
@@ -79,6 +80,35 @@ private slots:
         press(Qt::Key_G);
         press(Qt::Key_5, Qt::AltModifier);
         QCOMPARE(grab(), with);
+    }
+
+    /// Unless the person has chosen the camera.
+    void legendsLieAboveAFittedFabric() {
+        openSample("plain");
+        settleInView();
+        press(Qt::Key_F);
+        auto* overlay = fabric()->findChild<Overlay*>();
+        QVERIFY(overlay);
+        const auto freeAbove = [&] {
+            render::Camera camera;
+            camera.setViewport(fabric()->width(), fabric()->height());
+            camera.setScene(fabric()->bounds());
+            camera.setState(fabric()->cameraState());
+            const geometry::Bounds box = fabric()->bounds();
+            return camera.project({box.centre().x(), box.high.y(), box.centre().z()}).y();
+        };
+        const int badge = overlay->headHeight();
+        QVERIFY(freeAbove() >= static_cast<float>(badge));
+        press(Qt::Key_3, Qt::AltModifier);
+        waitForTheLastPicture();
+        press(Qt::Key_G);
+        QVERIFY(overlay->headHeight() > badge + 30);
+        QVERIFY(freeAbove() >= static_cast<float>(overlay->headHeight()));
+        press(Qt::Key_Plus, Qt::ControlModifier);
+        const float chosen = fabric()->cameraState().halfHeight;
+        press(Qt::Key_4, Qt::AltModifier);
+        QVERIFY(overlay->headHeight() < badge + 30);
+        QCOMPARE(fabric()->cameraState().halfHeight, chosen);
     }
 
     void oneCourseAndOneYarnAlone() {

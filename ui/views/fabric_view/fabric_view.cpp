@@ -92,7 +92,7 @@ void FabricView::setYarn(std::shared_ptr<const simulation::YarnPicture> yarn) {
 void FabricView::setColourBy(render::ColourBy what) {
     if (what != m->content.colourBy) {
         m->content.colourBy = what;
-        m->overlay->update();
+        m->headChanged();
         m->request();
         emit displayChanged();
     }
@@ -261,7 +261,7 @@ std::optional<render::DetailLevel> FabricView::detailDrawn() const {
 
 void FabricView::setLegend(bool on) {
     m->content.legend = on;
-    m->overlay->update();
+    m->headChanged();
 }
 
 bool FabricView::hasLegend() const {

@@ -128,6 +128,7 @@ bool FabricView::hasDimensions() const {
 void FabricView::setGuides(bool on) {
     m->annotations.guides = on;
     m->annotate();
+    m->headChanged();
     emit displayChanged();
 }
 bool FabricView::hasGuides() const {
@@ -136,7 +137,7 @@ bool FabricView::hasGuides() const {
 
 void FabricView::setProblemMarks(bool on) {
     m->annotations.marks = on;
-    m->overlay->update();
+    m->headChanged();
     emit displayChanged();
 }
 bool FabricView::hasProblemMarks() const {

@@ -11,9 +11,11 @@ namespace knittsim::ui {
 
 namespace {
 
-constexpr float kPickPixels = 3; ///< how far beside the yarn a click still counts
-constexpr float kAbove = 32;     ///< pixels that a fitted fabric leaves free for badge ...
-constexpr float kBelow = 52;     ///< ... and dimensions
+constexpr float kPickPixels = 3;    ///< how far beside the yarn a click still counts
+constexpr float kAbove = 32;        ///< pixels that a fitted fabric leaves free at least for the badge ...
+constexpr float kBelow = 52;        ///< ... and for dimensions
+constexpr float kMostAbove = 0.35F; ///< share of the view that words and legends may take from it
+constexpr int kHeadMargin = 12;     ///< a fitted fabric has so much room anyway
 
 QVector3D toQt(const Vec3f& v) {
     return {v.x(), v.y(), v.z()};
@@ -109,6 +111,7 @@ void FabricView::Implementation::takePicture() {
             followScene(); // while it is pulled the picture stands still: the mouse says where to
         }
         fitPending = false;
+        headChanged();
     }
     changed();
     emit view.sceneChanged();
@@ -149,14 +152,32 @@ geometry::Bounds FabricView::Implementation::needleBox() const {
     return box;
 }
 
+/// Pixels above a fitted fabric: for badge, words and legends, or the names of needles.
+float FabricView::Implementation::above() const {
+    const int head = annotations.measures ? overlay->headHeight() - kHeadMargin : 0;
+    return std::min(std::max(kAbove, static_cast<float>(head)),
+                    kMostAbove * static_cast<float>(view.height()));
+}
+
+/// Words and legends have come or gone: a fabric that is fitted keeps clear of them.
+void FabricView::Implementation::headChanged() {
+    if (content.scene && !content.scene->bounds.empty() && followFit && gesture == Gesture::None &&
+        above() != fittedAbove) {
+        fitCamera();
+        canvas->refresh();
+    }
+    overlay->update();
+}
+
 void FabricView::Implementation::fit(render::Camera& camera) const {
     // The badge has its place above the fabric, dimensions and scale below it.
     constexpr int kLeastHeight = 300;
     const bool room = view.height() >= kLeastHeight;
-    camera.fit(fitBox(), room ? kAbove : 0, room && annotations.dimensions ? kBelow : 0);
+    camera.fit(fitBox(), room ? above() : 0, room && annotations.dimensions ? kBelow : 0);
 }
 
 void FabricView::Implementation::fitCamera() {
+    fittedAbove = above();
     fit(content.camera);
     emit view.cameraMoved();
 }

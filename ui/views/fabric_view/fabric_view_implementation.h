@@ -46,6 +46,7 @@ struct FabricView::Implementation {
     bool forClass = false;         ///< see setForClass()
     bool followFit = true;         ///< the person has not moved the camera since the last fit
     Vec3f fitRoom = Vec3f::Zero(); ///< see setFitRoom()
+    float fittedAbove = 0;         ///< what above() was at the last fit
     bool dragMode = false;
     int selectedPoint = -1; ///< of `fabric`
     std::optional<render::DetailLevel> shownDetail;
@@ -67,6 +68,8 @@ struct FabricView::Implementation {
     geometry::Bounds fitBox() const;
     geometry::Bounds needleBox() const;
     void fit(render::Camera& camera) const;
+    float above() const;
+    void headChanged();
     void fitCamera();
     void followScene();
     void moveCamera(const std::function<void(render::Camera&)>& move);

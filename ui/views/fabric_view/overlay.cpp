@@ -14,6 +14,11 @@ namespace knittsim::ui {
 namespace {
 
 constexpr int kMargin = 12;
+constexpr int kGap = 6;     ///< between words and legends
+constexpr int kSample = 24; ///< line before a word
+constexpr int kSymbol = 34; ///< of a legend
+constexpr int kBarWidth = 176;
+constexpr int kBarHeight = 12;
 constexpr double kScalePixels = 140;
 constexpr int kLeastForAxes = 400; ///< width of the view
 constexpr float kSeenFlat = 0.15F; ///< cosine to the fabric's normal below which neither face is seen
@@ -21,6 +26,17 @@ constexpr float kSeenFlat = 0.15F; ///< cosine to the fabric's normal below whic
 QColor opaque(QColor colour) {
     colour.setAlpha(255);
     return colour;
+}
+
+struct LegendRow {
+    render::Marker::Kind kind;
+    QString text;
+};
+
+std::array<LegendRow, 3> legendRows() {
+    return {LegendRow{render::Marker::Bond, Overlay::tr("foot in a head: a loop drawn through")},
+            LegendRow{render::Marker::OpenHead, Overlay::tr("head, nothing through it")},
+            LegendRow{render::Marker::Crossing, Overlay::tr("crossing: the unbroken yarn lies in front")}};
 }
 
 } // namespace
@@ -111,13 +127,7 @@ void Overlay::paintEvent(QPaintEvent*) {
         paintPins(painter);
         paintMark(painter);
         paintPull(painter);
-        int below = paintWords(painter);
-        if (m_content.legend && m_content.scene->style == render::DrawStyle::Mesh) {
-            below = paintLegend(painter, below);
-        }
-        if (m_content.colourBy != render::ColourBy::Yarn) {
-            paintColours(painter, below);
-        }
+        paintHead(painter);
         if (m_annotations.measures) {
             paintScale(painter);
             paintAxes(painter);
@@ -137,53 +147,85 @@ void Overlay::paintPhoto(QPainter& painter) const {
     paintPhotograph(painter, size(), m_content, photograph);
 }
 
-/// The badge and the words below it; returns where the next thing may begin.
-int Overlay::paintWords(QPainter& painter) const {
-    constexpr int kGap = 6;
-    constexpr int kSample = 24;
+std::vector<Overlay::WordBox> Overlay::wordBoxes() const {
     const int height = fontMetrics().height() + 8;
     std::vector<Word> all = words();
     all.insert(all.begin(), {sideText()});
-    const int needed = static_cast<int>(all.size()) * (height + kGap);
-    int top = m_annotations.measures ? kMargin : this->height() - needed; // a class sees needles above
+    std::vector<WordBox> boxes;
+    QPoint corner(kMargin, kMargin);
     for (const Word& word : all) {
         const int sample = word.sample.isValid() ? kSample : 0;
-        const QRect box(kMargin, top, fontMetrics().horizontalAdvance(word.text) + 20 + sample, height);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(ground());
-        painter.drawRoundedRect(box, height / 2.0, height / 2.0);
-        if (sample > 0) {
-            painter.setPen(QPen(word.sample, 2));
-            painter.drawLine(box.left() + 10, box.center().y(), box.left() + sample + 2, box.center().y());
+        const QSize size(fontMetrics().horizontalAdvance(word.text) + 20 + sample, height);
+        if (corner.x() > kMargin && corner.x() + size.width() > width() - kMargin) {
+            corner = {kMargin, corner.y() + height + kGap};
         }
-        painter.setPen(ink());
-        painter.drawText(box.adjusted(sample, 0, 0, 0), Qt::AlignCenter, word.text);
-        top += height + kGap;
+        boxes.push_back({QRect(corner, size), word});
+        corner.rx() += size.width() + kGap;
     }
-    return top;
+    return boxes;
 }
 
-/// Returns where there is room below it.
-int Overlay::paintLegend(QPainter& painter, int top) const {
-    struct Row {
-        render::Marker::Kind kind;
-        QString text;
-    };
-    const std::array rows{Row{render::Marker::Bond, tr("foot in a head: a loop drawn through")},
-                          Row{render::Marker::OpenHead, tr("head, nothing through it")},
-                          Row{render::Marker::Crossing, tr("crossing: the unbroken yarn lies in front")}};
-    constexpr int kSymbol = 34;
-    const int height = fontMetrics().height() + 4;
+int Overlay::headHeight() const {
+    int height = wordBoxes().back().place.bottom() + 1 + kGap;
+    for (const QSize& size : {legendSize(), coloursSize()}) {
+        height += size.isEmpty() ? 0 : size.height() + kGap;
+    }
+    return height;
+}
+
+void Overlay::paintHead(QPainter& painter) const {
+    painter.save();
+    if (!m_annotations.measures) {
+        painter.translate(0, height() - headHeight()); // a class sees needles above
+    }
+    int top = 0;
+    for (const WordBox& box : wordBoxes()) {
+        paintWord(painter, box);
+        top = box.place.bottom() + 1 + kGap;
+    }
+    if (const QSize size = legendSize(); !size.isEmpty()) {
+        paintLegend(painter, QRect({kMargin, top}, size));
+        top += size.height() + kGap;
+    }
+    if (const QSize size = coloursSize(); !size.isEmpty()) {
+        paintColours(painter, QRect({kMargin, top}, size));
+    }
+    painter.restore();
+}
+
+void Overlay::paintWord(QPainter& painter, const WordBox& box) const {
+    const auto& [place, word] = box;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ground());
+    painter.drawRoundedRect(place, place.height() / 2.0, place.height() / 2.0);
+    const int sample = word.sample.isValid() ? kSample : 0;
+    if (sample > 0) {
+        painter.setPen(QPen(word.sample, 2));
+        painter.drawLine(place.left() + 10, place.center().y(), place.left() + sample + 2,
+                         place.center().y());
+    }
+    painter.setPen(ink());
+    painter.drawText(place.adjusted(sample, 0, 0, 0), Qt::AlignCenter, word.text);
+}
+
+QSize Overlay::legendSize() const {
+    if (!m_content.legend || !m_content.scene || m_content.scene->style != render::DrawStyle::Mesh) {
+        return {};
+    }
     int width = 0;
-    for (const Row& row : rows) {
+    for (const LegendRow& row : legendRows()) {
         width = std::max(width, fontMetrics().horizontalAdvance(row.text));
     }
-    const QRect box(kMargin, top + 2, kSymbol + width + 16, static_cast<int>(rows.size()) * height + 10);
+    return {kSymbol + width + 16, static_cast<int>(legendRows().size()) * (fontMetrics().height() + 4) + 10};
+}
+
+void Overlay::paintLegend(QPainter& painter, const QRect& box) const {
+    const int height = fontMetrics().height() + 4;
     painter.setPen(Qt::NoPen);
     painter.setBrush(ground());
     painter.drawRoundedRect(box, 8, 8);
     QPointF centre(box.left() + kSymbol / 2.0 + 2, box.top() + 5 + height / 2.0);
-    for (const Row& row : rows) {
+    for (const LegendRow& row : legendRows()) {
         painter.setPen(QPen(ink(), 1.4));
         const QPointF across(row.kind == render::Marker::Crossing ? 6 : 12,
                              row.kind == render::Marker::Crossing ? -8 : 0);
@@ -194,31 +236,42 @@ int Overlay::paintLegend(QPainter& painter, int top) const {
                          row.text);
         centre.ry() += height;
     }
-    return box.bottom() + 9;
+}
+
+QString Overlay::coloursTitle() const {
+    return m_content.colourBy == render::ColourBy::Tension ? tr("Yarn tension (mN)")
+           : m_content.colourBy == render::ColourBy::Speed ? tr("Moved since the last picture (mm)")
+                                                           : tr("Contact force (mN/mm)");
+}
+
+QString Overlay::noColoursReason() const {
+    return m_content.colourBy == render::ColourBy::Speed ? tr("Nothing has moved")
+                                                         : tr("Not known for this shape yet");
+}
+
+QSize Overlay::coloursSize() const {
+    if (m_content.colourBy == render::ColourBy::Yarn || !m_content.scene) {
+        return {};
+    }
+    const bool none = m_content.scene->range.empty();
+    const int line = fontMetrics().height();
+    const int inner = std::max({kBarWidth, fontMetrics().horizontalAdvance(coloursTitle()),
+                                none ? fontMetrics().horizontalAdvance(noColoursReason()) : 0});
+    return {inner + 40, none ? 2 * line + 12 : 2 * line + kBarHeight + 22};
 }
 
 /// The colours of values from low to high, with round numbers below them.
-void Overlay::paintColours(QPainter& painter, int top) const {
-    constexpr int kBarWidth = 176;
-    constexpr int kBarHeight = 12;
+void Overlay::paintColours(QPainter& painter, const QRect& box) const {
     const render::ValueRange& range = m_content.scene->range;
-    const bool speed = m_content.colourBy == render::ColourBy::Speed;
-    const QString what = m_content.colourBy == render::ColourBy::Tension ? tr("Yarn tension (mN)")
-                         : speed ? tr("Moved since the last picture (mm)")
-                                 : tr("Contact force (mN/mm)");
-    const QString none = speed ? tr("Nothing has moved") : tr("Not known for this shape yet");
     const int line = fontMetrics().height();
-    const int inner = std::max({kBarWidth, fontMetrics().horizontalAdvance(what),
-                                range.empty() ? fontMetrics().horizontalAdvance(none) : 0});
-    const QRect box(kMargin, top, inner + 40, range.empty() ? 2 * line + 12 : 2 * line + kBarHeight + 22);
     painter.setPen(Qt::NoPen);
     painter.setBrush(ground());
     painter.drawRoundedRect(box, 8, 8);
     painter.setPen(ink());
     const int left = box.left() + 20;
-    painter.drawText(left, box.top() + 5 + fontMetrics().ascent(), what);
+    painter.drawText(left, box.top() + 5 + fontMetrics().ascent(), coloursTitle());
     if (range.empty()) {
-        painter.drawText(left, box.top() + 5 + line + fontMetrics().ascent(), none);
+        painter.drawText(left, box.top() + 5 + line + fontMetrics().ascent(), noColoursReason());
         return;
     }
     const QRect bar(left, box.top() + 9 + line, kBarWidth, kBarHeight);

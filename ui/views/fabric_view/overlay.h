@@ -35,14 +35,27 @@ public:
     };
     std::vector<Word> words() const;
 
+    /// Pixels that badge, words and legends take from the upper edge (the lower one in a class).
+    int headHeight() const;
+
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    struct WordBox {
+        QRect place; ///< beside each other, in as many rows as they need, from the upper left corner
+        Word word;
+    };
+    std::vector<WordBox> wordBoxes() const;
+    QSize legendSize() const;  ///< empty where none is shown
+    QSize coloursSize() const; ///< the same
+    QString coloursTitle() const;
+    QString noColoursReason() const;
     void paintPhoto(QPainter& painter) const;
-    int paintWords(QPainter& painter) const;
-    int paintLegend(QPainter& painter, int top) const;
-    void paintColours(QPainter& painter, int top) const;
+    void paintHead(QPainter& painter) const;
+    void paintWord(QPainter& painter, const WordBox& box) const;
+    void paintLegend(QPainter& painter, const QRect& box) const;
+    void paintColours(QPainter& painter, const QRect& box) const;
     void paintPins(QPainter& painter) const;
     void paintPull(QPainter& painter) const;
     QPointF onScreen(const Vec3f& place) const;
