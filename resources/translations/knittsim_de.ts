@@ -915,6 +915,18 @@
         <source>Hairiness, melange</source>
         <translation>Haarigkeit, Melange</translation>
     </message>
+    <message>
+        <source>Settling as yarn</source>
+        <translation>Entspannt sich als Garn</translation>
+    </message>
+    <message>
+        <source>Yarn at rest</source>
+        <translation>Garn in Ruhe</translation>
+    </message>
+    <message>
+        <source>Yarn stopped</source>
+        <translation>Garn angehalten</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::AboutDialog</name>
@@ -1567,10 +1579,6 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
 </context>
 <context>
     <name>knittsim::ui::Comparison</name>
-    <message>
-        <source>settled as yarn</source>
-        <translation>als Garn entspannt</translation>
-    </message>
     <message>
         <source>%1%2 × %3%4 mm</source>
         <translation>%1%2 × %3%4 mm</translation>

@@ -22,10 +22,6 @@ using document::Document;
 
 namespace {
 
-QString stateText(const Document& document) {
-    return document.showsYarn() ? Comparison::tr("settled as yarn") : activityWord(document.activity());
-}
-
 /// "+4 %" of a length compared with another one; empty where they are equal.
 QString differenceText(float length, float compared) {
     const long percent = compared > 0 ? std::lround(100 * (length / compared - 1)) : 0;
@@ -166,7 +162,7 @@ void Comparison::keepState() {
     if (!fabric) {
         return;
     }
-    openOther(tr("Kept: %1, %2").arg(m_document.title(), stateText(m_document)));
+    openOther(tr("Kept: %1, %2").arg(m_document.title(), activityWord(m_document)));
     m_other->setFabric(fabric, looksOf(m_document.carriers()));
     if (const auto frame = m_document.shownFrame()) {
         m_other->setFrame(frame);
@@ -315,10 +311,10 @@ void Comparison::takeHeadings() {
     if (!m_other) {
         return;
     }
-    m_heading->setTitle(QStringLiteral("%1, %2").arg(m_document.title(), stateText(m_document)));
+    m_heading->setTitle(QStringLiteral("%1, %2").arg(m_document.title(), activityWord(m_document)));
     m_heading->setSize(sizeText(m_fabric, nullptr));
     m_otherHeading->setTitle(m_otherDocument
-                                 ? QStringLiteral("%1, %2").arg(m_otherTitle, stateText(*m_otherDocument))
+                                 ? QStringLiteral("%1, %2").arg(m_otherTitle, activityWord(*m_otherDocument))
                                  : m_otherTitle);
     m_otherHeading->setSize(sizeText(*m_other, &m_fabric));
 }

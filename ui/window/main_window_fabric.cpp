@@ -106,7 +106,7 @@ void MainWindow::takeDescription() {
     m_fabric->setAccessibleDescription(file ? tr("%1 columns, %2 courses, %3, %4 problems")
                                                   .arg(file->grid->columnCount())
                                                   .arg(file->grid->courseCount())
-                                                  .arg(activityWord(m_document.activity()))
+                                                  .arg(activityWord(m_document))
                                                   .arg(m_document.problems().size())
                                             : QString());
 }

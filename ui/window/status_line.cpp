@@ -50,6 +50,7 @@ StatusLine::StatusLine(document::Document& document, QWidget* parent)
     connect(&m_document, &document::Document::selectionChanged, this, &StatusLine::takePlace);
     connect(&m_document, &document::Document::frameShown, this, &StatusLine::takeFrame);
     connect(&m_document, &document::Document::activityChanged, this, &StatusLine::takeFrame);
+    connect(&m_document, &document::Document::yarnRunChanged, this, &StatusLine::takeFrame);
     connect(&m_document, &document::Document::ladderChanged, this, &StatusLine::takeLadders);
     takePlace();
     takeFrame();
@@ -159,7 +160,7 @@ void StatusLine::changeEvent(QEvent* event) {
 }
 
 void StatusLine::takeFrame() {
-    m_state->setText(activityWord(m_document.activity()));
+    m_state->setText(activityWord(m_document));
     const auto frame = m_document.frame();
     m_energy->setText(frame ? tr("V %1").arg(energyText(frame->energies.potential)) : QString());
     m_time->setText(frame ? tr("%1 ms/step").arg(shortNumber(frame->millisecondsPerStep)) : QString());

@@ -1,5 +1,6 @@
 #include "ui/views/simulation_panel/activity_text.h"
 
+#include "ui/views/simulation_panel/yarn_run_text.h"
 #include "ui/views/style/appearance.h"
 
 #include <QCoreApplication>
@@ -32,9 +33,20 @@ QString reasonText(StopReason reason) {
     }
 }
 
-} // namespace
+/// Of the yarn where it runs or is shown.
+bool ofYarn(const document::Document& document) {
+    return document.yarnRun().running() || document.showsYarn();
+}
 
-QString activityWord(Activity activity) {
+Activity shownActivity(const document::Document& document) {
+    if (!ofYarn(document)) {
+        return document.activity();
+    }
+    const document::YarnRun& run = document.yarnRun();
+    return run.running() ? Activity::Settling : isAtRest(run) ? Activity::AtRest : Activity::Paused;
+}
+
+QString wordOf(Activity activity) {
     switch (activity) {
     case Activity::Empty:
         return tr("Nothing open");
@@ -54,18 +66,27 @@ QString activityWord(Activity activity) {
     return tr("Stopped");
 }
 
-QString activityText(const document::Document& document) {
-    const Activity activity = document.activity();
-    const QString reason =
-        activity == Activity::AtRest || activity == Activity::Failed || activity == Activity::Paused
-            ? reasonText(document.stopReason())
-            : QString();
-    return reason.isEmpty() ? activityWord(activity) : tr("%1: %2").arg(activityWord(activity), reason);
+} // namespace
+
+QString activityWord(const document::Document& document) {
+    if (!ofYarn(document)) {
+        return wordOf(document.activity());
+    }
+    const document::YarnRun& run = document.yarnRun();
+    return run.running() ? tr("Settling as yarn") : isAtRest(run) ? tr("Yarn at rest") : tr("Yarn stopped");
 }
 
-QColor activityColour(Activity activity, const QPalette& palette) {
+QString activityText(const document::Document& document) {
+    const Activity activity = document.activity();
+    const bool ended =
+        activity == Activity::AtRest || activity == Activity::Failed || activity == Activity::Paused;
+    const QString reason = ended && !ofYarn(document) ? reasonText(document.stopReason()) : QString();
+    return reason.isEmpty() ? activityWord(document) : tr("%1: %2").arg(activityWord(document), reason);
+}
+
+QColor activityColour(const document::Document& document, const QPalette& palette) {
     const Accents accents = accentsOf(palette);
-    switch (activity) {
+    switch (shownActivity(document)) {
     case Activity::Settling:
     case Activity::Opening:
         return accents.busy;

@@ -8,12 +8,13 @@
 
 namespace knittsim::ui {
 
-/// "At rest: the residual is below the limit". Never a colour alone: every state has words.
+/// What the shape that is shown does, of the bonding points or, as soon as it settles as yarn, of the yarn:
+/// "Settling", "At rest", "Settling as yarn", ...
+QString activityWord(const document::Document& document);
+
+/// The same with its reason: "At rest: forces are balanced". Never a colour alone: every state has words.
 QString activityText(const document::Document& document);
 
-/// One word: "Settling", "At rest", ...
-QString activityWord(document::Activity activity);
-
-QColor activityColour(document::Activity activity, const QPalette& palette);
+QColor activityColour(const document::Document& document, const QPalette& palette);
 
 } // namespace knittsim::ui

@@ -162,7 +162,7 @@ void SimulationPanel::takeActivity() {
     QPainter painter(&dot);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(activityColour(m_document.activity(), palette()));
+    painter.setBrush(activityColour(m_document, palette()));
     painter.drawEllipse(QRectF(1.5, 3, 8, 8));
     painter.end();
     m_dot->setPixmap(dot);
@@ -220,6 +220,7 @@ void SimulationPanel::takeYarnRun() {
     m_yarnState->setText(yarnRunText(run));
     m_yarnState->setVisible(!m_yarnState->text().isEmpty());
     m_yarnState->setToolTip(yarnRunDetails(run));
+    takeActivity();
 }
 
 void SimulationPanel::changeEvent(QEvent* event) {

@@ -17,10 +17,6 @@ QString millimetres(double value, int decimals) {
     return QLocale().toString(value, 'f', decimals);
 }
 
-bool atRest(const document::YarnShape& shape) {
-    return shape.finished && physics::isAtRest(shape.verdict);
-}
-
 QString placeOf(const document::YarnShape& shape, machine::LoopIndex loop) {
     if (loop < 0) {
         return tr("a loose end");
@@ -47,6 +43,11 @@ QString passedText(const document::YarnShape& shape) {
 
 } // namespace
 
+bool isAtRest(const document::YarnRun& run) {
+    const auto shape = run.shape();
+    return shape && shape->finished && physics::isAtRest(shape->verdict);
+}
+
 QString yarnRunText(const document::YarnRun& run) {
     const auto shape = run.shape();
     if (!run.problem().isEmpty()) {
@@ -60,7 +61,7 @@ QString yarnRunText(const document::YarnRun& run) {
     if (!shape) {
         return {};
     }
-    if (!atRest(*shape)) {
+    if (!isAtRest(run)) {
         return tr("Stopped");
     }
     return tr("%1 \u00d7 %2 mm a stitch")
