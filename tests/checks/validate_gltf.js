@@ -1,4 +1,4 @@
-// Exported glTF files against the validator of the Khronos Group (`npm install gltf-validator`; NODE_PATH says where).
+// Exported glTF files against the validator of the Khronos Group (npm package gltf-validator; NODE_PATH says where).
 // validate_gltf.js KNITTSIM_CLI PATTERN...
 const { execFileSync } = require('child_process');
 const fs = require('fs');
