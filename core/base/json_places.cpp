@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 #include <unordered_map>
 
 namespace knittsim {
@@ -47,8 +48,11 @@ class PlaceFinder : public nlohmann::json_sax<json> {
 public:
     PlaceFinder(const char* begin, const char* const& now) : m_begin(begin), m_now(now) {}
 
-    /// Bytes before the last one of what is at a path, or of the innermost thing around it.
+    /// Bytes before the last one of what is at a path ("rows.2.name" or "rows[2].name"), or of the innermost
+    /// thing around it.
     std::size_t find(std::string path) const {
+        std::ranges::replace(path, '[', '.');
+        std::erase(path, ']');
         while (!path.empty() && !m_places.contains(path)) {
             const std::size_t dot = path.rfind('.');
             path.resize(dot == std::string::npos ? 0 : dot);

@@ -1,6 +1,7 @@
 #include "core/pattern/project.h"
 
 #include "core/base/file.h"
+#include "core/base/json_places.h"
 #include "core/base/json_reader.h"
 #include "core/formats/formats.h"
 #include "core/machine/emulator.h"
@@ -235,7 +236,13 @@ Result<Project> readProject(std::string_view text, const std::string& file, std:
     if (!parsed) {
         return Result<Project>::failure(parsed.diagnostics());
     }
-    return Reader(parsed.value(), file, shape).read();
+    Result<Project> project = Reader(parsed.value(), file, shape).read();
+    if (project) {
+        return project;
+    }
+    Diagnostics problems = project.diagnostics();
+    tellLines(text, problems);
+    return Result<Project>::failure(std::move(problems));
 }
 
 ProjectLook readLook(const std::filesystem::path& path) {

@@ -58,6 +58,27 @@ TEST(Project, TellsWhatIsWrong) {
     EXPECT_EQ(idOf("[1]"), "KS0004");
 }
 
+TEST(Project, TellsTheLineOfWhatIsWrong) {
+    const std::string good = writeProject({plainChart(3, 4), CastOn::Open, Ending::Held, {}});
+    const auto lineOf = [&](std::string_view from, const std::string& to, std::size_t which) {
+        std::size_t at = good.find(from);
+        for (; which > 0; --which) {
+            at = good.find(from, at + 1);
+        }
+        std::string text = good;
+        text.replace(at, from.size(), to);
+        const auto read = readProject(text, "a.knitt");
+        const int found = read ? -1 : read.diagnostics().front().place.line;
+        return std::pair(found, 1 + static_cast<int>(std::count(
+                                        good.begin(), good.begin() + static_cast<std::ptrdiff_t>(at), '\n')));
+    };
+    for (const auto& [found, wanted] :
+         {lineOf("\"kkk\"", "\"kxk\"", 2), lineOf("\"yarns\": \"0\"", "\"yarns\": 7", 3),
+          lineOf("\"ending\": \"", "\"ending\": \"un", 0)}) {
+        EXPECT_EQ(found, wanted);
+    }
+}
+
 TEST(Project, AFileOfVersion1IsReadAndBecomesTheNewest) {
     const std::string old = R"({"knitt": 1, "cast_on": "open", "ending": "held", "beds": "single", "wales": 3,
         "yarns": [{"carrier": "1", "colour": "#102030", "library_id": "linen-26"}],
