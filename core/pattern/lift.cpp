@@ -2,7 +2,7 @@
 
 #include "core/formats/formats.h"
 #include "core/machine/profile_library.h"
-#include "core/pattern/backing.h"
+#include "core/pattern/backed_cells.h"
 #include "core/pattern/course_compiler.h"
 #include "core/pattern/course_works.h"
 #include "core/pattern/program_courses.h"
@@ -57,11 +57,14 @@ public:
 
     int courses() const { return m_project.chart.height(); }
     const std::vector<int>& kept() const { return m_kept; }
-    /// No course has turned out otherwise than one below it took for granted.
+    /// The cast-on is that of the first two courses as they have turned out.
     bool holds() const {
-        const bool cast = m_project.castOn == CastOn::Alternating && courses() > 1;
-        return !cast || !isBacked(m_project.chart.course(0).colours) ||
-               m_project.chart.course(1).colours == m_assumed;
+        if (!castsOnForTwo() || keepsProgram(m_project.chart.course(0))) {
+            return true;
+        }
+        CourseCompiler compiler(m_project.chart, m_options);
+        compiler.begin();
+        return saysNow(compiler, compiler.mark(), 0, false);
     }
     /// The first back that the chart has; Float: none.
     ColourMethod backing() const {
@@ -98,11 +101,8 @@ private:
         for (const ColourMethod colours : methodsFor(c)) {
             for (const std::vector<LoopMove>& moves : segmentOf(c).moves) {
                 take(c, colours, moves);
-                if (c == 0 && isBacked(colours) && !last) {
-                    take(1, colours, segmentOf(1).moves.front()); // the cast-on makes loops for both
-                    m_assumed = colours;
-                }
-                if (saysNow(compiler, mark, c, last)) {
+                if (c == 0 && castsOnForTwo() ? saysFirst(compiler, mark)
+                                              : saysNow(compiler, mark, c, last)) {
                     m_preferred = isBacked(colours) ? colours : m_preferred;
                     return true;
                 }
@@ -110,6 +110,20 @@ private:
         }
         take(c, ColourMethod::Float, segmentOf(c).moves.front());
         return false;
+    }
+
+    /// The cast-on makes loops for the second course too, which is not known yet.
+    bool castsOnForTwo() const {
+        return m_project.castOn == CastOn::Alternating && m_project.chart.beds == BedUse::Double &&
+               courses() > 1;
+    }
+
+    bool saysFirst(CourseCompiler& compiler, const CourseCompiler::Mark& mark) {
+        const std::vector<ColourMethod> methods = methodsFor(1);
+        return std::ranges::any_of(methods, [&](ColourMethod second) {
+            take(1, second, segmentOf(1).moves.front());
+            return saysNow(compiler, mark, 0, false);
+        });
     }
 
     /// The back that was there last comes first: of one yarn alone a stitch on both beds looks like it.
@@ -132,37 +146,10 @@ private:
         chart.course(c).colours = colours;
         chart.course(c).moves = moves;
         const std::vector<Cell>& cells = segmentOf(c).cells;
-        for (int wale = 0; m_backed && wale < chart.width; ++wale) {
-            Cell& cell = chart.at(wale, c);
-            cell = cells[static_cast<std::size_t>(wale)];
-            if (isBacked(colours)) {
-                cell.stitch = cell.stitch == Stitch::Both       ? Stitch::Knit
-                              : cell.stitch == Stitch::TuckKnit ? Stitch::Tuck
-                                                                : cell.stitch;
-            }
-        }
-        if (m_backed && isBacked(colours)) {
-            restoreBothBeds(c);
-        }
-    }
-
-    /// Where the back would not do what the program does, the cell itself works both beds.
-    void restoreBothBeds(int c) {
-        Chart& chart = m_project.chart;
-        std::vector<std::uint64_t> back(static_cast<std::size_t>(chart.width)); // a bit for each yarn
-        for (const int yarn : yarnsOf(chart, c)) {
-            for (const int wale : backingOf(chart, c, yarn)) {
-                back[static_cast<std::size_t>(wale)] |= std::uint64_t{1} << yarn;
-            }
-        }
-        const std::vector<std::uint64_t> knitted = rearYarns(segmentOf(c));
-        for (int wale = 0; wale < chart.width; ++wale) {
-            const auto w = static_cast<std::size_t>(wale);
-            const Cell& own = segmentOf(c).cells[w];
-            if (own.stitch != chart.at(wale, c).stitch && knitted[w] != back[w] &&
-                knitted[w] == std::uint64_t{1} << own.yarn) {
-                chart.at(wale, c) = own;
-            }
+        if (isBacked(colours)) {
+            takeBacked(chart, c, cells, rearYarns(segmentOf(c)));
+        } else {
+            std::ranges::copy(cells, chart.cells.begin() + std::ptrdiff_t{c} * chart.width);
         }
     }
 
@@ -237,11 +224,10 @@ private:
     std::vector<ProgramSegment> m_segments;
     Project m_project;
     CompileOptions m_options;
-    std::set<int> m_illFormed;                    ///< courses that no chart for these beds can have
-    std::vector<int> m_kept;                      ///< courses
-    bool m_backed;                                ///< the rear bed may knit a back
-    ColourMethod m_preferred;                     ///< of those that fit
-    ColourMethod m_assumed = ColourMethod::Float; ///< of course 1, while course 0 was looked at
+    std::set<int> m_illFormed; ///< courses that no chart for these beds can have
+    std::vector<int> m_kept;   ///< courses
+    bool m_backed;             ///< the rear bed may knit a back
+    ColourMethod m_preferred;  ///< of those that fit
 };
 
 /// What a program has that asks for another reading.

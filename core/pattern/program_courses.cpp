@@ -1,5 +1,7 @@
 #include "core/pattern/program_courses.h"
 
+#include "core/pattern/backed_cells.h"
+#include "core/pattern/course_works.h"
 #include "core/pattern/held_loops.h"
 #include "core/pattern/program_course.h"
 
@@ -73,17 +75,30 @@ public:
     Segmenter(const LiftInput& input, const CourseRules& rules)
         : m_input(input), m_operations(input.operations), m_rules(rules), m_passes(passesOf(m_operations)),
           m_held(input.wales), m_worked(at(input.wales)), m_seen(at(input.wales)),
-          m_dropped(at(input.wales), -1) {}
+          m_dropped(at(input.wales), -1) {
+        m_scratch = Chart(input.wales, 0);
+        m_scratch.beds = BedUse::Double;
+        m_scratch.yarns = input.yarns;
+    }
 
     std::vector<ProgramSegment> run() {
         std::size_t pass = m_rules.castOn ? skipCastOn() : 0;
+        std::size_t endOfBacked = 0; // pass after the present course, if that has a back
         for (bool begin = true; pass < m_passes.size(); ++pass, begin = false) {
+            bool begins = begin;
             if (begin) {
                 m_segments.emplace_back();
-            } else if (beginsCourse(m_passes[pass], m_passes[pass - 1])) {
+            } else if (pass < endOfBacked
+                           ? false
+                           : pass == endOfBacked || beginsCourse(m_passes[pass], m_passes[pass - 1])) {
                 const std::size_t border = borderBefore(m_passes[pass], m_passes[pass - 1]);
                 close(border);
                 m_segments.emplace_back().first = border;
+                begins = true;
+            }
+            if (begins && m_rules.backing) {
+                endOfBacked = pass + backedPasses(pass);
+                m_backed = endOfBacked > pass;
             }
             take(m_passes[pass]);
         }
@@ -138,17 +153,63 @@ private:
         return count;
     }
 
-    /// No join. In front of a back there is none.
-    bool isSure(const Pass& pass, std::size_t i) const {
-        return !pass.join || i + 1 < pass.end || m_rules.backing;
+    /// How many passes from this one on are one course with a back; 0: none.
+    std::size_t backedPasses(std::size_t first) {
+        std::size_t end = first;
+        while (end < m_passes.size() && (end == first || mayFollow(m_passes[end], m_passes[end - 1])) &&
+               m_operations[m_passes[end].first].carriers.size() == 1) {
+            ++end;
+        }
+        const std::size_t most = end;
+        while (end > first && !((end == most || meets(first, end)) && areBacked(first, end))) {
+            --end;
+        }
+        return end - first;
     }
 
-    bool overlaps(const Pass& pass) {
-        // Several yarns may knit one needle of a back; none of them works the rear bed alone.
-        bool rearOnly = true;
-        for (std::size_t i = pass.first; i < pass.end; ++i) {
-            rearOnly = rearOnly && side(m_operations[i].needle) == 1;
+    /// Pass `end` works a wale that those from `first` on have worked; else it could be in their course.
+    bool meets(std::size_t first, std::size_t end) const {
+        std::vector<bool> worked(at(m_input.wales));
+        for (std::size_t i = m_passes[first].first; i < m_passes[end - 1].end; ++i) {
+            if (machine::carriesYarn(m_operations[i].kind)) {
+                worked[at(m_operations[i].needle.index)] = true;
+            }
         }
+        const auto from = m_operations.begin();
+        return std::any_of(from + static_cast<std::ptrdiff_t>(m_passes[end].first),
+                           from + static_cast<std::ptrdiff_t>(m_passes[end].end),
+                           [&](const Operation& op) { return worked[at(op.needle.index)]; });
+    }
+
+    /// In a course with a back the yarns come in their order and nothing is moved between them.
+    bool mayFollow(const Pass& pass, const Pass& before) const {
+        const auto prepares = [](const Operation& op) {
+            return op.kind == OperationKind::StitchNumber || op.kind == OperationKind::StitchSize ||
+                   op.kind == OperationKind::Xfer || op.kind == OperationKind::Rack ||
+                   op.kind == OperationKind::Drop;
+        };
+        const auto from = m_operations.begin();
+        return m_operations[pass.first].carriers[0] > m_operations[before.first].carriers[0] &&
+               std::none_of(from + static_cast<std::ptrdiff_t>(before.end),
+                            from + static_cast<std::ptrdiff_t>(pass.first), prepares);
+    }
+
+    bool areBacked(std::size_t first, std::size_t end) {
+        std::vector<std::span<const Operation>> passes;
+        for (std::size_t i = first; i < end; ++i) {
+            passes.emplace_back(m_operations.data() + m_passes[i].first,
+                                m_operations.data() + m_passes[i].end);
+        }
+        const auto height = static_cast<std::size_t>(course()) + 1;
+        m_scratch.courses.resize(height);
+        m_scratch.cells.resize(height * at(m_input.wales));
+        return areBackedCourse(m_scratch, course(), m_passes[first].rack, passes);
+    }
+
+    /// No join. In front of a back there is none.
+    bool isSure(const Pass& pass, std::size_t i) const { return !pass.join || i + 1 < pass.end || m_backed; }
+
+    bool overlaps(const Pass& pass) {
         for (std::size_t i = pass.first; i < pass.end; ++i) {
             const Operation& op = m_operations[i];
             if (!isSure(pass, i) || (op.kind == OperationKind::Miss && !m_rules.missesWork)) {
@@ -156,8 +217,7 @@ private:
             }
             const Works& there = works(op.needle.index);
             for (std::size_t bed = 0; bed < there.size(); ++bed) {
-                const bool counts = !m_rules.backing || (bed == side(op.needle) && (bed == 0 || rearOnly));
-                if (counts && there[bed].course == course() && there[bed].sure &&
+                if (there[bed].course == course() && there[bed].sure &&
                     (there[bed].kind != OperationKind::Miss || m_rules.missesWork)) {
                     return true;
                 }
@@ -237,6 +297,21 @@ private:
         }
     }
 
+    /// A wale that has its loops now on one bed, now on the other.
+    static Cell onOneBed(Cell cell, const WaleWork& work) {
+        switch (cell.stitch) {
+        case Stitch::TuckKnit:
+            return {Stitch::Purl, static_cast<std::uint8_t>(work[1]->yarn)};
+        case Stitch::TuckBoth:
+        case Stitch::RearTuck:
+            return {Stitch::Tuck, cell.yarn};
+        case Stitch::RearMiss:
+            return {Stitch::Miss, cell.yarn};
+        default:
+            return cell;
+        }
+    }
+
     Cell cellOf(int wale) {
         Works here = works(wale);
         for (Work& work : here) {
@@ -248,32 +323,14 @@ private:
                 here[bed].course = -1;
             }
         }
-        const auto is = [&](std::size_t bed, OperationKind kind) {
-            return here[bed].course >= 0 && here[bed].kind == kind;
-        };
-        const auto cell = [&](Stitch stitch, std::size_t bed) {
-            return Cell{stitch, static_cast<std::uint8_t>(here[bed].yarn)};
-        };
-        using enum OperationKind;
-        if (is(0, Knit)) {
-            return cell(is(1, Knit) ? Stitch::Both : is(1, Tuck) ? Stitch::KnitTuck : Stitch::Knit, 0);
-        }
-        if (m_rules.doubleBeds && is(0, Tuck) && (is(1, Knit) || is(1, Tuck))) {
-            return cell(is(1, Knit) ? Stitch::TuckKnit : Stitch::TuckBoth, 0);
-        }
-        if (m_rules.backing && is(0, Miss)) {
-            return cell(Stitch::Miss, 0);
-        }
-        if (is(1, Knit)) {
-            return cell(Stitch::Purl, 1);
-        }
-        for (const auto& [kind, stitch, rear] :
-             {std::tuple{Tuck, Stitch::Tuck, Stitch::RearTuck}, {Miss, Stitch::Miss, Stitch::RearMiss}}) {
-            for (const std::size_t bed : {0U, 1U}) {
-                if (is(bed, kind)) {
-                    return cell(bed == 1 && m_rules.doubleBeds ? rear : stitch, bed);
-                }
+        WaleWork work;
+        for (std::size_t bed = 0; bed < 2; ++bed) {
+            if (here[bed].course >= 0) {
+                work[bed] = NeedleWork{here[bed].kind, here[bed].yarn};
             }
+        }
+        if (const auto cell = cellOnTwoBeds(work, m_rules.backing)) {
+            return m_rules.doubleBeds ? *cell : onOneBed(*cell, work);
         }
         if (m_dropped[at(wale)] == course()) {
             return {Stitch::Drop, 0};
@@ -374,6 +431,8 @@ private:
     std::vector<std::array<Seen, machine::kBedCount>> m_seen; ///< by wale and bed
     std::vector<int> m_dropped;                               ///< by wale: the last course that did
     std::array<CarrierUse, 256> m_use{};                      ///< by yarn
+    bool m_backed = false;                                    ///< the present course has a back
+    Chart m_scratch;                                          ///< to try courses with a back
     std::vector<ProgramSegment> m_segments;
 };
 
