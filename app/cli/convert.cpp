@@ -3,6 +3,7 @@
 #include "core/base/message_table.h"
 #include "core/formats/formats.h"
 #include "core/pattern/lift.h"
+#include "core/pattern/machine_data.h"
 #include "core/pattern/project.h"
 
 #include <fmt/core.h>
@@ -36,11 +37,27 @@ int convertToChart(const ConvertOptions& options) {
                : kUnusable;
 }
 
+/// A chart is knitted on a machine that takes the format.
+Result<machine::Program> programToWrite(const ConvertOptions& options) {
+    if (!pattern::isProjectFile(options.input)) {
+        return formats::readProgram(options.input);
+    }
+    const Result<pattern::Project> project = pattern::readProjectFile(options.input);
+    if (!project) {
+        return Result<machine::Program>::failure(project.diagnostics());
+    }
+    Diagnostics ignored; // that of `check` tells of bad profiles
+    const auto machines = machine::ProfileLibrary::read(machine::profileFolders(), ignored);
+    auto data = pattern::machineDataFor(options.output, project.value(), machines);
+    return data ? Result<machine::Program>(std::move(data.value().program))
+                : Result<machine::Program>::failure(data.diagnostics());
+}
+
 int runConvert(const ConvertOptions& options) {
     if (pattern::isProjectFile(options.output)) {
         return convertToChart(options);
     }
-    const auto program = pattern::readAnyProgram(options.input);
+    const auto program = programToWrite(options);
     if (!printAndTest(program)) {
         return kUnusable;
     }

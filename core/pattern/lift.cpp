@@ -288,22 +288,23 @@ std::optional<Reading> readAs(const LiftInput& input, const machine::MachineProf
 std::optional<Reading> bestReading(const LiftInput& input, const machine::MachineProfile& machine) {
     const Signs signs = signsOf(input);
     std::optional<Reading> best;
+    const auto consider = [&](const CourseRules& rules) {
+        auto reading = readAs(input, machine, rules, signs.drops ? Ending::Dropped : Ending::Held);
+        if (reading && (!best || std::pair(reading->kept().size(), reading->courses()) <
+                                     std::pair(best->kept().size(), best->courses()))) {
+            best.emplace(std::move(*reading));
+        }
+    };
     for (const bool doubleBeds : choices(false, signs.bothBeds)) {
         for (const bool castOn : choices(signs.tucksFirst, signs.tucksFirst)) {
             for (const bool missesWork : choices(true, signs.misses)) {
-                for (const bool backing : choices(false, doubleBeds)) {
-                    auto reading = readAs(input, machine, {castOn, missesWork, backing, doubleBeds},
-                                          signs.drops ? Ending::Dropped : Ending::Held);
-                    if (!reading) {
-                        continue;
+                for (const bool zones : choices(true, true)) {
+                    for (const bool backing : choices(false, doubleBeds)) {
+                        consider({castOn, missesWork, zones, backing, doubleBeds});
                     }
-                    if (!best || std::pair(reading->kept().size(), reading->courses()) <
-                                     std::pair(best->kept().size(), best->courses())) {
-                        best.emplace(std::move(*reading));
+                    if (best && best->kept().empty()) {
+                        return best;
                     }
-                }
-                if (best && best->kept().empty()) {
-                    return best;
                 }
             }
         }

@@ -207,7 +207,9 @@ private:
     }
 
     /// No join. In front of a back there is none.
-    bool isSure(const Pass& pass, std::size_t i) const { return !pass.join || i + 1 < pass.end || m_backed; }
+    bool isSure(const Pass& pass, std::size_t i) const {
+        return !m_rules.zones || !pass.join || i + 1 < pass.end || m_backed;
+    }
 
     bool overlaps(const Pass& pass) {
         for (std::size_t i = pass.first; i < pass.end; ++i) {
@@ -228,6 +230,11 @@ private:
 
     bool beginsCourse(const Pass& pass, const Pass& before) {
         const Operation& first = m_operations[pass.first];
+        const Operation& earlier = m_operations[before.first];
+        if (!m_rules.zones && !first.carriers.empty() && !earlier.carriers.empty() &&
+            first.carriers[0] < earlier.carriers[0]) {
+            return true;
+        }
         bool moved = false;
         for (std::size_t i = before.end; i < pass.first; ++i) {
             const OperationKind kind = m_operations[i].kind;

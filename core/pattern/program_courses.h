@@ -9,8 +9,11 @@ namespace knittsim::pattern {
 
 /// How passes are gathered into courses; no way is right for all programs.
 struct CourseRules {
-    bool castOn = false;     ///< tucks on empty needles at the beginning belong to the first course
-    bool missesWork = true;  ///< a wale that a carrier misses is one that it works
+    bool castOn = false;    ///< tucks on empty needles at the beginning belong to the first course
+    bool missesWork = true; ///< a wale that a carrier misses is one that it works
+    /// Yarns come in any order, and a tuck at the end of a pass may join the zone beside it; else they come
+    /// in their order.
+    bool zones = true;
     bool backing = false;    ///< two carriers may work the two needles of one wale
     bool doubleBeds = false; ///< a wale has its own needle on each bed
 };

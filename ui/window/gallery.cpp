@@ -60,20 +60,31 @@ void Gallery::build() {
     words->addWidget(
         makeText(page, tr("Draw a new chart, open a chart or a machine program, or begin with a sample."),
                  1.0, false));
-    auto* fresh = new QPushButton(icon(QStringLiteral("new")), tr("New chart\u2026"), page);
-    fresh->setObjectName(QStringLiteral("galleryNew"));
-    fresh->setToolTip(tr("Draw a chart of your own (Ctrl+N)"));
-    fresh->setMinimumHeight(34);
-    auto* open = new QPushButton(icon(QStringLiteral("open")), tr("Open\u2026"), page);
-    open->setObjectName(QStringLiteral("galleryOpen"));
-    open->setToolTip(tr("Open a chart or a machine program (Ctrl+O)"));
-    open->setDefault(true);
-    open->setMinimumHeight(34);
+    const auto addButton = [&](const char* name, const QString& image, const QString& text,
+                               const QString& tip, void (Gallery::*wanted)()) {
+        auto* button = new QPushButton(icon(image), text, page);
+        button->setObjectName(QLatin1String(name));
+        button->setToolTip(tip);
+        button->setMinimumHeight(34);
+        button->setAutoDefault(true); // Enter is as good as Space
+        connect(button, &QPushButton::clicked, this, wanted);
+        return button;
+    };
+    auto* fresh = addButton("galleryNew", QStringLiteral("new"), tr("New chart\u2026"),
+                            tr("Draw a chart of your own (Ctrl+N)"), &Gallery::newWanted);
+    fresh->setDefault(true);
+    auto* photo =
+        addButton("galleryPicture", QStringLiteral("picture"), tr("From a picture\u2026"),
+                  tr("Turn a photograph or drawing into a chart (Ctrl+Alt+I)"), &Gallery::pictureWanted);
+    auto* open = addButton("galleryOpen", QStringLiteral("open"), tr("Open\u2026"),
+                           tr("Open a chart or a machine program (Ctrl+O)"), &Gallery::openWanted);
     head->addWidget(picture);
     head->addSpacing(8);
     head->addLayout(words, 1);
-    head->addWidget(fresh);
-    head->addWidget(open);
+    setFocusProxy(fresh);
+    for (QPushButton* button : {fresh, photo, open}) {
+        head->addWidget(button);
+    }
     rows->addLayout(head);
 
     m_recentBox = new QWidget(page);
@@ -95,8 +106,6 @@ void Gallery::build() {
         connect(card, &QAbstractButton::clicked, this, [this, card] { emit sampleChosen(card->sampleId()); });
         m_cards.push_back(card);
     }
-    connect(open, &QPushButton::clicked, this, &Gallery::openWanted);
-    connect(fresh, &QPushButton::clicked, this, &Gallery::newWanted);
     setRecentFiles({});
 }
 

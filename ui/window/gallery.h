@@ -24,7 +24,8 @@ signals:
     void sampleChosen(const QString& id);
     void fileChosen(const QString& path);
     void openWanted();
-    void newWanted(); ///< a new chart
+    void newWanted();     ///< a new chart
+    void pictureWanted(); ///< a chart from a picture
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

@@ -132,6 +132,7 @@ void MainWindow::buildCentre() {
     connect(m_gallery, &Gallery::fileChosen, this, &MainWindow::openFile);
     connect(m_gallery, &Gallery::openWanted, this, &MainWindow::chooseFile);
     connect(m_gallery, &Gallery::newWanted, this, &MainWindow::newChart);
+    connect(m_gallery, &Gallery::pictureWanted, this, &MainWindow::choosePicture);
 }
 
 void MainWindow::showWorkspace() {
@@ -158,6 +159,7 @@ void MainWindow::showGallery() {
     m_status->hide();
     applyContrast(*qApp, false);
     m_gallery->setRecentFiles(m_session.recentFiles());
+    m_gallery->setFocus();
 }
 
 void MainWindow::setAppearance(document::Appearance appearance) {

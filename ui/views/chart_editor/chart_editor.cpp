@@ -50,6 +50,9 @@ ChartEditor::ChartEditor(document::Document& document, ChartLook& look, QWidget*
     }
     m_toolHint->setContentsMargins(8, 3, 8, 0);
     m_hint->setContentsMargins(8, 1, 8, 4);
+    // Its room stays: cells must not move below the pointer when its text comes and goes.
+    m_hint->setFixedHeight(2 * m_hint->fontMetrics().lineSpacing() + 5);
+    m_hint->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(0);
