@@ -2030,6 +2030,14 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
         <source>Open a chart or a machine program (Ctrl+O)</source>
         <translation>Eine Patrone oder ein Strickprogramm öffnen (Strg+O)</translation>
     </message>
+    <message>
+        <source>From a picture…</source>
+        <translation>Aus einem Bild…</translation>
+    </message>
+    <message>
+        <source>Turn a photograph or drawing into a chart (Ctrl+Alt+I)</source>
+        <translation>Ein Foto oder eine Zeichnung wird zur Patrone (Strg+Alt+I)</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::GlCanvas</name>
@@ -2838,10 +2846,6 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
         <translation>Die Maschinendaten können nicht geschrieben werden. %1</translation>
     </message>
     <message>
-        <source>Machine data written to %1</source>
-        <translation>Maschinendaten geschrieben: %1</translation>
-    </message>
-    <message>
         <source>Unsaved work on %1 of %2 was found.</source>
         <translation>Nicht gespeicherte Arbeit an %1 vom %2 wurde gefunden.</translation>
     </message>
@@ -3400,6 +3404,14 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
     <message>
         <source>The fabric lies there at once when the file is opened again</source>
         <translation>Das Gestrick liegt beim nächsten Öffnen sofort so da</translation>
+    </message>
+    <message>
+        <source>Machine data for %1 written to %2</source>
+        <translation>Maschinendaten für %1 nach %2 geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 is written, but %2 will not knit it without problems (%3 errors). %4</source>
+        <translation>%1 ist geschrieben, aber %2 strickt es nicht ohne Probleme (%3 Fehler). %4</translation>
     </message>
 </context>
 <context>
@@ -4842,6 +4854,46 @@ MIT-Lizenz. Copyright: die Autoren von KnittSim.</translation>
     <message>
         <source>Expected: %1</source>
         <translation>Erwartet: %1</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>glatt</translation>
+    </message>
+    <message>
+        <source>hairy</source>
+        <translation>haarig</translation>
+    </message>
+    <message>
+        <source>bulky</source>
+        <translation>bauschig</translation>
+    </message>
+    <message>
+        <source>matte</source>
+        <translation>matt</translation>
+    </message>
+    <message>
+        <source>glossy</source>
+        <translation>glänzend</translation>
+    </message>
+    <message>
+        <source>lustrous</source>
+        <translation>schimmernd</translation>
+    </message>
+    <message>
+        <source>crimped</source>
+        <translation>gekräuselt</translation>
+    </message>
+    <message>
+        <source>slubby</source>
+        <translation>mit Noppen</translation>
+    </message>
+    <message>
+        <source>halo</source>
+        <translation>mit Flaum</translation>
+    </message>
+    <message>
+        <source>soft</source>
+        <translation>weich</translation>
     </message>
 </context>
 <context>

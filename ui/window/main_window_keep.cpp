@@ -17,7 +17,6 @@
 
 namespace knittsim::ui {
 
-/// A file to write, of the kind that was chosen; asks before one that exists. Empty: nowhere.
 QString MainWindow::askWhich(const QString& title, const QString& filter) {
     const QString path = QFileDialog::getOpenFileName(this, title, m_session.lastFolder(), filter);
     if (!path.isEmpty()) {
@@ -26,6 +25,7 @@ QString MainWindow::askWhich(const QString& title, const QString& filter) {
     return path;
 }
 
+/// A file to write, of the kind that was chosen; asks before one that exists. Empty: nowhere.
 QString MainWindow::askWhere(const QString& title, const QString& start, const QStringList& kinds) {
     QFileDialog dialog(this, title, start, kinds.join(QStringLiteral(";;")));
     dialog.setAcceptMode(QFileDialog::AcceptSave);

@@ -40,8 +40,16 @@ constexpr Fibre kFibres[] = {{QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "woo
                              {QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "polyester"), 1.38},
                              {QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "polyamide"), 1.14}};
 constexpr double kCorePacking = 0.9;
-constexpr const char* kSurfaces[] = {"smooth",   "hairy",   "bulky",  "matte", "glossy",
-                                     "lustrous", "crimped", "slubby", "halo",  "soft"};
+constexpr const char* kSurfaces[] = {QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "smooth"),
+                                     QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "hairy"),
+                                     QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "bulky"),
+                                     QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "matte"),
+                                     QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "glossy"),
+                                     QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "lustrous"),
+                                     QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "crimped"),
+                                     QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "slubby"),
+                                     QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "halo"),
+                                     QT_TRANSLATE_NOOP("knittsim::ui::YarnDialog", "soft")};
 
 double numberOf(const QString& text) {
     bool good = false;
@@ -105,9 +113,9 @@ YarnDialog::YarnDialog(const yarn::Yarn& yarn, QWidget* parent)
              tr("How the yarn resists a bend"));
     addField(form, "friction", tr("Friction"), text(yarn.friction), tr("Yarn on yarn, 0 to 2"));
     for (const char* kind : kSurfaces) {
-        m_surface->addItem(QString::fromLatin1(kind));
+        m_surface->addItem(tr(kind), QString::fromLatin1(kind));
     }
-    m_surface->setCurrentText(QString::fromStdString(yarn.surface.kind));
+    m_surface->setCurrentIndex(m_surface->findData(QString::fromStdString(yarn.surface.kind)));
     m_surface->setToolTip(tr("How the surface looks"));
     form->addRow(tr("Surface"), m_surface);
     addField(form, "surface.hairiness", tr("Hairiness"), text(yarn.surface.hairiness),
@@ -128,7 +136,9 @@ YarnDialog::YarnDialog(const yarn::Yarn& yarn, QWidget* parent)
     auto* rows = new QVBoxLayout(this);
     rows->addWidget(scroll, 1);
     rows->addWidget(m_buttons);
-    resize(580, 600);
+    resize(580, 560);
+    m_fields["name"].edit->setFocus();
+    m_fields["name"].edit->selectAll();
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     check();
@@ -267,7 +277,7 @@ yarn::Yarn YarnDialog::yarn() const {
     yarn.bendingStiffness = number("bending_stiffness_n_m2");
     yarn.friction = number("friction");
     yarn.colour = m_colour;
-    yarn.surface.kind = m_surface->currentText().toStdString();
+    yarn.surface.kind = m_surface->currentData().toString().toStdString();
     yarn.surface.hairiness = number("surface.hairiness");
     const double plies = number("surface.plies");
     yarn.surface.plies =
@@ -307,7 +317,7 @@ void YarnDialog::check() {
     QStringList counts;
     for (const yarn::CountSystem system : yarn::kCountSystems) {
         if (tex() > 0) {
-            counts << countAsShown(system, tex());
+            counts << countAsShown(system, tex()).replace(u' ', u'\u00a0'); // stays on one line
         }
     }
     m_counts->setText(counts.isEmpty() ? QString()

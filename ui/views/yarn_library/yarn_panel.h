@@ -40,6 +40,7 @@ private:
     // yarn_panel_own.cpp: a person's own yarns
     QMenu* makeOwnMenu();
     void editYarn(const yarn::Yarn& yarn);
+    QString askWhere(const QString& title, const QString& name);
     void importYarns();
     void exportYarn();
     void exportOwnYarns();

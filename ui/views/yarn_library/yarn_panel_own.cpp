@@ -8,6 +8,7 @@
 
 #include <QComboBox>
 #include <QFileDialog>
+#include <QLineEdit>
 #include <QListView>
 #include <QMenu>
 #include <QMessageBox>
@@ -79,21 +80,31 @@ void YarnPanel::editYarn(const yarn::Yarn& yarn) {
     dialog->open();
 }
 
+/// Empty: nowhere.
+QString YarnPanel::askWhere(const QString& title, const QString& name) {
+    QFileDialog dialog(this, title, name, tr("Yarns (*.json)"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("json"));
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
 void YarnPanel::importYarns() {
     const QStringList paths = QFileDialog::getOpenFileNames(this, tr("Import yarns"), QString(),
                                                             tr("Yarns (*.json);;All files (*)"));
-    std::string last;
+    std::string first;
     for (const QString& path : paths) {
         const auto imported = yarn::importYarns(path.toStdString(), ownFolder());
         if (!imported) {
             tellProblem(tr("%1 holds no yarns that can be read").arg(path), imported.diagnostics());
-        } else {
-            last = imported.value().back().id;
+        } else if (first.empty() && !imported.value().empty()) {
+            first = imported.value().front().id;
         }
     }
-    if (!last.empty()) {
+    if (!first.empty()) { // all of them are seen, whatever was searched before
+        m_search->clear();
+        m_filter->setCurrentIndex(kOwn);
         m_document.reloadLibrary();
-        takeLibrary(last);
+        takeLibrary(first);
     }
 }
 
@@ -102,15 +113,13 @@ void YarnPanel::exportYarn() {
     if (!chosen) {
         return;
     }
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Export the yarn"), QString::fromStdString(chosen->id + ".json"), tr("Yarns (*.json)"));
-    writeYarns(path, yarn::toJson(*chosen));
+    const yarn::Yarn yarn = *chosen; // the library may change while the dialog is open
+    writeYarns(askWhere(tr("Export the yarn"), QString::fromStdString(yarn.id + ".json")),
+               yarn::toJson(yarn));
 }
 
 void YarnPanel::exportOwnYarns() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export all own yarns"),
-                                                      QStringLiteral("yarns.json"), tr("Yarns (*.json)"));
-    writeYarns(path, yarn::toJson(ownYarns()));
+    writeYarns(askWhere(tr("Export all own yarns"), QStringLiteral("yarns.json")), yarn::toJson(ownYarns()));
 }
 
 std::vector<yarn::Yarn> YarnPanel::ownYarns() const {
@@ -158,7 +167,13 @@ void YarnPanel::takeLibrary(const std::string& select) {
     m_filter->addItems(m_yarns.fibres());
     m_filter->setCurrentIndex(std::max(0, m_filter->findText(before)));
     takeFilter();
-    const QModelIndex found = select.empty() ? QModelIndex() : m_yarns.indexOf(select);
+    QModelIndex found = select.empty() ? QModelIndex() : m_yarns.indexOf(select);
+    if (!select.empty() && !found.isValid()) { // a search hides it
+        m_search->clear();
+        m_filter->setCurrentIndex(kAll);
+        takeFilter();
+        found = m_yarns.indexOf(select);
+    }
     m_yarnList->setCurrentIndex(found.isValid() ? found : m_yarns.index(0));
     m_yarnList->scrollTo(m_yarnList->currentIndex());
 }
