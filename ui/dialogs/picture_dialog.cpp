@@ -11,6 +11,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
@@ -255,11 +256,12 @@ void PictureDialog::takeCells(std::optional<pattern::PictureCells> cells) {
 void PictureDialog::showWords() {
     const int wales = m_wales->value();
     const int courses = m_courses->value();
+    const auto centimetres = [](double value) { return QLocale().toString(value, 'f', 1); };
     const QString size = tr("%1 x %2 stitches, about %3 x %4 cm.")
                              .arg(wales)
                              .arg(courses)
-                             .arg(10 * wales / m_walesPer10->value(), 0, 'f', 1)
-                             .arg(10 * courses / m_coursesPer10->value(), 0, 'f', 1);
+                             .arg(centimetres(10 * wales / m_walesPer10->value()),
+                                  centimetres(10 * courses / m_coursesPer10->value()));
     const bool fewer =
         m_cells && !usesOwnYarns() && static_cast<int>(m_cells->colours.size()) < m_count->value();
     m_words->setText(fewer ? size + u' ' +
