@@ -79,11 +79,12 @@ void MainWindow::exportMachineData() {
     const QString machine = QString::fromStdString(data.value().machine.name);
     statusBar()->showMessage(tr("Machine data for %1 written to %2").arg(machine, path), 5000);
     if (const Diagnostics errors = errorsOf(data.value()); !errors.empty()) {
-        m_banner->showMessage(Banner::Kind::Error,
-                              tr("%1 is written, but %2 will not knit it without problems (%3 errors). %4")
-                                  .arg(QFileInfo(path).fileName(), machine)
-                                  .arg(errors.size())
-                                  .arg(document::causeText(errors.front())));
+        m_banner->showMessage(
+            Banner::Kind::Error,
+            tr("%1 is written, but %2 will not knit it without problems (%3 errors). %4")
+                .arg(QFileInfo(path).fileName(), machine)
+                .arg(errors.size())
+                .arg(document::causeText(errors.front()) + u' ' + document::cureText(errors.front())));
     }
 }
 
