@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace knittsim::fabric {
@@ -29,13 +30,19 @@ namespace knittsim::fabric {
 /// diagrams show the same fabric is a problem of knot theory that no local rule decides.
 class PassingBook {
 public:
-    static constexpr std::size_t kReach = 32;
+    static constexpr std::size_t kReach = 256;
 
-    void addLoop() { m_onLoop.emplace_back(); }
+    void addLoop(OperationIndex operation = 0) {
+        m_onLoop.emplace_back();
+        m_made.push_back({operation, static_cast<std::int32_t>(m_passings.size())});
+    }
     void addFloat() { m_onFloat.emplace_back(); }
 
     /// Nothing slides past here: a loop was drawn through this one, which goes on to another needle.
-    void bar(LoopIndex loop) { m_onLoop[static_cast<std::size_t>(loop)].push_back(kBar); }
+    void bar(LoopIndex loop, OperationIndex operation) {
+        m_onLoop[static_cast<std::size_t>(loop)].push_back(-1 - operation);
+    }
+    static constexpr bool isBar(std::int32_t entry) { return entry < 0; }
 
     /// Two strands that pass each other; `sign` as in Passing.
     struct Pair {
@@ -50,21 +57,27 @@ public:
     /// to stand along the bed, otherwise by age. `moment` as in Passing.
     void pass(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment);
 
-    /// Undoes an earlier passing only. False when there is none that this undoes.
-    bool undo(const Pair& pair);
+    /// The same if the first of them thereby undoes an earlier passing; else nothing, and false.
+    bool passBack(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment);
+
+    /// Two loops that have stood at one place since the younger one was made come to stand side by side, as
+    /// if they passed each other. So they stood from the beginning.
+    void part(const Pair& pair);
+
+    /// Loops that have parted and never passed each other do so. True when this can be slid down to where the
+    /// younger one was made: then they stood the other way round from the beginning, and nothing is entered.
+    bool turnRound(const Pair& pair);
 
     /// The two have passed each other lately, and that is not undone.
     bool havePassed(Strand a, Strand b) const { return findLast(a, b) >= 0; }
 
     const std::vector<Passing>& passings() const { return m_passings; }
 
-    /// Indices of the passings on a strand that are not undone, and kBar.
+    /// Indices of the passings on a strand that are not undone, and bars.
     const std::vector<std::int32_t>& on(Strand strand) const {
         const auto i = static_cast<std::size_t>(strand.index);
         return strand.kind == Strand::Kind::Loop ? m_onLoop[i] : m_onFloat[i];
     }
-
-    static constexpr std::int32_t kBar = -1;
 
     /// Two passings on a strand that follow each other but might as well stand the other way round: of one
     /// moment, with strands that have not passed each other.
@@ -74,30 +87,53 @@ private:
     using List = std::vector<std::int32_t>;
 
     List& list(Strand strand);
+    void enter(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment);
+    bool undo(const Pair& pair);
     std::vector<std::size_t>::iterator findFirst(std::span<const Pair> pairs);
     bool isMetBefore(const Pair& a, const Pair& b) const;
-    void settle(const Pair& pair);
+    void settle(Strand left, Strand right);
+    int sideOf(Strand a, Strand b) const;
     void putInOrder(Strand strand, std::int32_t first, std::int32_t second);
     void undoEldestFirst(std::span<const Pair> pairs);
     std::int32_t findLast(Strand a, Strand b) const;
     bool collectGap(Strand strand, std::int32_t number, List& gap) const;
+    bool collectSince(Strand younger, Strand strand, List& gap) const;
+    bool slideAway(const Passing& passing);
+    /// A strand that lies in a gap on both sides.
+    struct Through {
+        Strand strand;
+        std::int32_t over; ///< its passings of the two
+        std::int32_t under;
+    };
+    bool pairGap(const Passing& passing);
     std::optional<Strand> findSlider(const Passing& passing) const;
-    bool runsThrough(const Passing& passing, Strand strand) const;
+    bool runsThrough(const Passing& passing, const Through& through) const;
     bool isGapClear(const Passing& passing);
     bool gather(Strand strand, Strand over, std::int32_t a, std::int32_t b);
-    bool canSlide(Strand slider, const List& gap) const;
+    bool canSlide(std::int32_t Through::*onSlider) const;
+    std::size_t placeOn(Strand strand, std::int32_t number) const;
     void slide(const Passing& passing, Strand slider);
     void swapOrder(Strand strand, Strand over, std::int32_t moved, std::int32_t fixed);
 
     const Passing& at(std::int32_t number) const { return m_passings[static_cast<std::size_t>(number)]; }
 
     std::vector<Passing> m_passings;
+    /// When a loop was made.
+    struct Made {
+        OperationIndex operation;
+        std::int32_t first; ///< passing from then on
+    };
+    std::vector<Made> m_made;
+    /// Pairs of loops that have parted: 1 when the elder one began on the right of the younger one, else -1.
+    std::unordered_map<std::uint64_t, int> m_began;
     std::vector<List> m_onLoop;
     std::vector<List> m_onFloat;
     std::vector<std::size_t> m_left;    ///< pairs that were not undone, the eldest first
     std::vector<std::size_t> m_inOrder; ///< the same as they were given
     List m_gapOver;                     ///< passings on either strand in the gap that is to be closed
     List m_gapUnder;
+    std::vector<Through> m_through; ///< in the order of m_gapOver
+    List m_unpaired;
     /// Passings on a strand about two of them: aside before these, between them, aside behind them.
     struct Gathered {
         std::size_t begin = 0; ///< on its strand

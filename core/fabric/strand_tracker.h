@@ -69,11 +69,12 @@ public:
 
 private:
     /// Place in the order along the bed. `side` -1, 0, +1: left of, on, right of a needle at `x`. Of several
-    /// yarns on one side of a needle the one that came last is nearest to the needle.
+    /// yarns on one side of a needle the one that came last is nearest to the needle. What has one key stands
+    /// at one place: a stack, yarns of one operation, loops that face each other and have no order yet.
     struct Key {
         double x = 0;
         int side = 0;
-        std::int64_t rank = 0;
+        OperationIndex rank = 0;
         auto operator<=>(const Key&) const = default;
     };
     struct Yarn {
@@ -117,7 +118,7 @@ private:
     void passRackMeetings(int direction);
     void pairRear(Strand over, std::int32_t rear, int direction, double place);
     void passRear();
-    void settleFree();
+    void turnFree();
     bool isFree(PassingBook::Pair pair) const;
     void leaveFacing(std::int32_t rear, double place, int direction);
     void comeToFace(std::int32_t rear, double place, int direction);
@@ -131,6 +132,7 @@ private:
     PassingBook::Pair facingPair(const machine::Loop& made, LoopIndex own, LoopIndex other) const;
     std::int32_t openFloat();
     OperationIndex operation() const { return m_emulator.state().nextOperation - 1; }
+    OperationIndex rankBeside(int side) const { return side > 0 ? -operation() : operation(); }
 
     const machine::Emulator& m_emulator;
     const machine::Program& m_program;
@@ -146,7 +148,6 @@ private:
     std::vector<Met> m_met;
     std::vector<RackMeeting> m_rackMeetings;
     std::vector<PassingBook::Pair> m_pairs;
-    std::int64_t m_rank = 0;
     std::int32_t m_moment = 0;
     std::optional<double> m_rackFrom; ///< of the racks since something else happened
     double m_rackTo = 0;
