@@ -68,6 +68,12 @@ public:
     /// younger one was made: then they stood the other way round from the beginning, and nothing is entered.
     bool turnRound(const Pair& pair);
 
+    /// Nothing has passed either of two loops since the younger one was made.
+    bool nothingPassed(Strand a, Strand b) const;
+
+    /// The two that have parted are as if they had not.
+    void meetAgain(Strand a, Strand b);
+
     /// The two have passed each other lately, and that is not undone.
     bool havePassed(Strand a, Strand b) const { return findLast(a, b) >= 0; }
 
@@ -134,6 +140,7 @@ private:
     List m_gapUnder;
     std::vector<Through> m_through; ///< in the order of m_gapOver
     List m_unpaired;
+    List m_onSlider;
     /// Passings on a strand about two of them: aside before these, between them, aside behind them.
     struct Gathered {
         std::size_t begin = 0; ///< on its strand

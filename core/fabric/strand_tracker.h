@@ -119,6 +119,7 @@ private:
     void pairRear(Strand over, std::int32_t rear, int direction, double place);
     void passRear();
     void turnFree();
+    bool meetAgain();
     bool isFree(PassingBook::Pair pair) const;
     void leaveFacing(std::int32_t rear, double place, int direction);
     void comeToFace(std::int32_t rear, double place, int direction);

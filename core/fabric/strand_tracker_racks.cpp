@@ -168,7 +168,7 @@ void StrandTracker::leaveFacing(std::int32_t rear, double place, int direction) 
 
 void StrandTracker::comeToFace(std::int32_t rear, double place, int direction) {
     pairFacing(rear, place, direction);
-    if (m_pairs.empty()) {
+    if (m_pairs.empty() || meetAgain()) {
         return;
     }
     // Some may have passed before and thereby have not. All of a needle come to stand on the side of the
@@ -177,6 +177,20 @@ void StrandTracker::comeToFace(std::int32_t rear, double place, int direction) {
     for (const PassingBook::Pair& pair : m_pairs) {
         m_cameFrom[code(pair)] = hadPassed ? direction : -direction;
     }
+}
+
+/// Those that faced each other from the beginning do so again if nothing has taken note that they parted.
+bool StrandTracker::meetAgain() {
+    const bool asBefore = std::ranges::all_of(m_pairs, [&](const PassingBook::Pair& pair) {
+        return isFree(pair) && m_book.nothingPassed(pair.over, pair.under);
+    });
+    for (const PassingBook::Pair& pair : m_pairs) {
+        if (asBefore) {
+            m_book.meetAgain(pair.over, pair.under);
+            m_facedFromStart.erase(code(pair));
+        }
+    }
+    return asBefore;
 }
 
 bool StrandTracker::isFree(PassingBook::Pair pair) const {

@@ -62,10 +62,6 @@ private:
         return m_book.passings()[static_cast<std::size_t>(number)];
     }
 
-    static int directionOf(Strand strand, const Passing& passing) {
-        return strand == passing.over ? passing.sign : -passing.sign;
-    }
-
     bool everyPassingLiesOnItsTwoStrands() const {
         std::vector<int> places(m_book.passings().size(), 0);
         for (const auto& [strand, numbers] : m_on) {
@@ -117,9 +113,9 @@ private:
                 return std::nullopt;
             }
             if (isBehind) {
-                return side ? side : directionOf(strand, at(n));
+                return side ? side : at(n).directionOf(strand);
             }
-            side = -directionOf(strand, at(n));
+            side = -at(n).directionOf(strand);
         }
         return side;
     }
