@@ -31,8 +31,8 @@ std::span<const std::int32_t> latestOf(const List& on) {
 }
 
 /// Of two loops.
-std::uint64_t code(Strand elder, Strand younger) {
-    return static_cast<std::uint64_t>(elder.index) << 32 | static_cast<std::uint32_t>(younger.index);
+std::uint64_t code(Strand over, Strand under) {
+    return static_cast<std::uint64_t>(over.index) << 32 | static_cast<std::uint32_t>(under.index);
 }
 
 } // namespace
@@ -125,8 +125,11 @@ int PassingBook::sideOf(Strand a, Strand b) const {
     if (a.kind != Strand::Kind::Loop || b.kind != Strand::Kind::Loop) {
         return 0;
     }
-    const auto found = m_began.find(code(std::min(a, b), std::max(a, b)));
-    return found == m_began.end() ? 0 : a < b ? found->second : -found->second;
+    if (const auto found = m_began.find(code(a, b)); found != m_began.end()) {
+        return found->second;
+    }
+    const auto found = m_began.find(code(b, a));
+    return found == m_began.end() ? 0 : -found->second;
 }
 
 /// The two had no order until now. They had this one: what passed both at one moment met the left one first
@@ -203,20 +206,29 @@ void PassingBook::part(const Pair& pair) {
     }
     const bool right = pair.sign > 0;
     settle(right ? pair.under : pair.over, right ? pair.over : pair.under);
-    m_began[code(std::min(pair.over, pair.under), std::max(pair.over, pair.under))] =
-        (pair.over < pair.under) == right ? 1 : -1;
+    m_began[code(pair.over, pair.under)] = pair.sign;
 }
 
-bool PassingBook::nothingPassed(Strand a, Strand b) const {
+bool PassingBook::isFree(const Pair& pair) const {
+    return pair.over.kind == Strand::Kind::Loop && pair.under.kind == Strand::Kind::Loop &&
+           m_began.contains(code(pair.over, pair.under)) && !havePassed(pair.over, pair.under);
+}
+
+bool PassingBook::meetAgain(std::span<const Pair> pairs) {
     List gap;
-    const auto isEmpty = [&](Strand strand) {
-        return collectSince(std::max(a, b), strand, gap) && gap.empty();
+    const auto nothingPassed = [&](Strand strand, Strand younger) {
+        return collectSince(younger, strand, gap) && gap.empty();
     };
-    return isEmpty(a) && isEmpty(b);
-}
-
-void PassingBook::meetAgain(Strand a, Strand b) {
-    m_began.erase(code(std::min(a, b), std::max(a, b)));
+    const bool asBefore = std::ranges::all_of(pairs, [&](const Pair& pair) {
+        const Strand younger = std::max(pair.over, pair.under);
+        return isFree(pair) && nothingPassed(pair.over, younger) && nothingPassed(pair.under, younger);
+    });
+    for (const Pair& pair : pairs) {
+        if (asBefore) {
+            m_began.erase(code(pair.over, pair.under));
+        }
+    }
+    return asBefore;
 }
 
 bool PassingBook::turnRound(const Pair& pair) {
@@ -227,7 +239,7 @@ bool PassingBook::turnRound(const Pair& pair) {
         !slideAway(before)) {
         return false;
     }
-    m_began[code(std::min(pair.over, pair.under), younger)] *= -1;
+    m_began[code(pair.over, pair.under)] = pair.sign;
     return true;
 }
 

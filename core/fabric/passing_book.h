@@ -12,22 +12,33 @@ namespace knittsim::fabric {
 /// The passings of all strands, and for every strand those that lie on it, from its feet upwards (a float:
 /// along its way).
 ///
+/// The lists are at every moment a diagram that can be drawn in the plane. Begin with the strands side by
+/// side in the order in which they were made along the bed and follow the lists upwards: at every passing the
+/// two stand next to each other, so that what passes both stands on one side of both, and at the end all
+/// stand as on the machine. Every passing that is not undone lies on its two strands once. Some strands have
+/// no order: the loops of one needle, which never part, yarns that one operation moved together, and loops
+/// that face each other from the beginning until they part. What passes such strands at one moment may lie on
+/// its list in any order (areUnordered). As loops that faced each other part, so they are said to have stood
+/// from the beginning; if they then pass each other, with the front one in front, they may as well have begun
+/// the other way round, and that is taken if the passing can be slid down to where the younger one was made
+/// (turnRound).
+///
 /// A passing is undone by the opposite passing of the same two strands with the same one in front when
 ///  - nothing lies on either strand in between: the second Reidemeister move; or
 ///  - just the same strands lie in between on both, each running through the gap between the two, and one of
-///    the two passes in front of all of them or behind all of them. It is slid across them (third move) to
-///    the other strand, and then the second move applies. On a strand that runs through, nothing may lie
-///    between its passings of the two but what can be put aside or runs through, too.
-/// Both moves change the diagram of crossings and not the fabric, whatever the machine did in between.
-/// Strands that stood at one place have no order until they pass each other; from then on it is known how
-/// they stood.
+///    the two can be moved across all of the gap: across every place where two of the strands there pass each
+///    other by a third move, which exists unless the first of the three lies in front of the second, the
+///    second in front of the third and the third in front of the first. Then the second move applies. On a
+///    strand that runs through, nothing may lie between its passings of the two but what can be put aside or
+///    runs through.
+/// All these moves change the diagram and not the fabric, whatever the machine did in between.
 ///
 /// What is not recognised: a strand that could slide past a place where a loop is drawn through another one
-/// (whether it can depends on where all the yarns there go), gaps with more than kReach strands in them, and
+/// (whether it can depends on where all the yarns there go), gaps with more than kReach passings in them, and
 /// chains of third moves that only together make room for a second one. Then the crossings stay: they are
-/// right, but there are more of them than need be, and which of them stay may depend on what else the machine
-/// did (of random programs with stacks and racks one in some thousands). Telling in general whether two
-/// diagrams show the same fabric is a problem of knot theory that no local rule decides.
+/// right, but there are more of them than need be. No such case is known: of 6,000 random programs with
+/// stacks and racks each keeps its crossings when something is put in that does nothing. Telling in general
+/// whether two diagrams show the same fabric is a problem of knot theory that no local rule decides.
 class PassingBook {
 public:
     static constexpr std::size_t kReach = 256;
@@ -60,19 +71,20 @@ public:
     /// The same if the first of them thereby undoes an earlier passing; else nothing, and false.
     bool passBack(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment);
 
-    /// Two loops that have stood at one place since the younger one was made come to stand side by side, as
-    /// if they passed each other. So they stood from the beginning.
+    /// Two loops that have stood at one place since the younger one was made, `over` nearer to the front bed,
+    /// come to stand side by side, as if they passed each other. So they stood from the beginning.
     void part(const Pair& pair);
 
-    /// Loops that have parted and never passed each other do so. True when this can be slid down to where the
-    /// younger one was made: then they stood the other way round from the beginning, and nothing is entered.
+    /// Such a pair that has never passed each other.
+    bool isFree(const Pair& pair) const;
+
+    /// A free pair passes each other. True when this can be slid down to where the younger one was made: then
+    /// they stood the other way round from the beginning, and nothing is entered.
     bool turnRound(const Pair& pair);
 
-    /// Nothing has passed either of two loops since the younger one was made.
-    bool nothingPassed(Strand a, Strand b) const;
-
-    /// The two that have parted are as if they had not.
-    void meetAgain(Strand a, Strand b);
+    /// Free pairs come to stand at one place again. True when nothing has passed them since the younger one
+    /// was made: then it is as if they had not parted.
+    bool meetAgain(std::span<const Pair> pairs);
 
     /// The two have passed each other lately, and that is not undone.
     bool havePassed(Strand a, Strand b) const { return findLast(a, b) >= 0; }
@@ -130,7 +142,7 @@ private:
         std::int32_t first; ///< passing from then on
     };
     std::vector<Made> m_made;
-    /// Pairs of loops that have parted: 1 when the elder one began on the right of the younger one, else -1.
+    /// Pairs of loops that have parted: 1 when `over` began on the right, -1 on the left.
     std::unordered_map<std::uint64_t, int> m_began;
     std::vector<List> m_onLoop;
     std::vector<List> m_onFloat;

@@ -138,7 +138,7 @@ void StrandTracker::passRear() {
 /// round from the beginning, if that can be. All of a needle go the same way: if one of them counts, they all
 /// do.
 void StrandTracker::turnFree() {
-    if (std::ranges::all_of(m_pairs, [&](const PassingBook::Pair& pair) { return isFree(pair); })) {
+    if (std::ranges::all_of(m_pairs, [&](const PassingBook::Pair& pair) { return m_book.isFree(pair); })) {
         std::size_t before = m_pairs.size() + 1;
         while (m_pairs.size() < before) {
             before = m_pairs.size();
@@ -153,7 +153,6 @@ void StrandTracker::leaveFacing(std::int32_t rear, double place, int direction) 
     pairFacing(rear, place, side == 0 ? direction : side);
     for (const PassingBook::Pair& pair : m_pairs) {
         if (cameFrom(pair) == 0) {
-            m_facedFromStart.insert(code(pair));
             m_book.part(pair);
         }
     }
@@ -168,7 +167,7 @@ void StrandTracker::leaveFacing(std::int32_t rear, double place, int direction) 
 
 void StrandTracker::comeToFace(std::int32_t rear, double place, int direction) {
     pairFacing(rear, place, direction);
-    if (m_pairs.empty() || meetAgain()) {
+    if (m_pairs.empty() || m_book.meetAgain(m_pairs)) {
         return;
     }
     // Some may have passed before and thereby have not. All of a needle come to stand on the side of the
@@ -177,25 +176,6 @@ void StrandTracker::comeToFace(std::int32_t rear, double place, int direction) {
     for (const PassingBook::Pair& pair : m_pairs) {
         m_cameFrom[code(pair)] = hadPassed ? direction : -direction;
     }
-}
-
-/// Those that faced each other from the beginning do so again if nothing has taken note that they parted.
-bool StrandTracker::meetAgain() {
-    const bool asBefore = std::ranges::all_of(m_pairs, [&](const PassingBook::Pair& pair) {
-        return isFree(pair) && m_book.nothingPassed(pair.over, pair.under);
-    });
-    for (const PassingBook::Pair& pair : m_pairs) {
-        if (asBefore) {
-            m_book.meetAgain(pair.over, pair.under);
-            m_facedFromStart.erase(code(pair));
-        }
-    }
-    return asBefore;
-}
-
-bool StrandTracker::isFree(PassingBook::Pair pair) const {
-    return pair.over.kind == Strand::Kind::Loop && m_facedFromStart.contains(code(pair)) &&
-           !m_book.havePassed(pair.over, pair.under);
 }
 
 /// Side from which the loops of a rear needle at `place` came to face those of the front needle there: -1
@@ -231,7 +211,7 @@ void StrandTracker::inheritFacing(LoopIndex loop) {
             int side = 0;
             for (const LoopIndex parent : m_emulator.loops().parentsOf(loop)) {
                 const PassingBook::Pair pair = facingPair(made, parent, other);
-                side = side == 0 && !isFree(pair) ? cameFrom(pair) : side;
+                side = side == 0 && !m_book.isFree(pair) ? cameFrom(pair) : side;
             }
             if (side != 0) {
                 m_cameFrom[code(facingPair(made, loop, other))] = side;
