@@ -63,12 +63,14 @@ public:
         double place = 0; ///< as in Passing
     };
 
-    /// These pairs pass each other at one moment: those that passed before the other way undo that, the
-    /// others make new passings, which lie on a strand in the order in which those that it passes are known
-    /// to stand along the bed, otherwise by age. `moment` as in Passing.
+    /// These pairs pass each other at one moment: those that passed before the other way undo that, of those
+    /// that are free it is said, where that can be, that they stood the other way round from the beginning,
+    /// the others make new passings, which lie on a strand in the order in which those that it passes are
+    /// known to stand along the bed, otherwise by age. `moment` as in Passing.
     void pass(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment);
 
-    /// The same if the first of them thereby undoes an earlier passing; else nothing, and false.
+    /// The same if the eldest of them that is not free thereby undoes an earlier passing; else nothing, and
+    /// false.
     bool passBack(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment);
 
     /// Two loops that have stood at one place since the younger one was made, `over` nearer to the front bed,
@@ -77,10 +79,6 @@ public:
 
     /// Such a pair that has never passed each other.
     bool isFree(const Pair& pair) const;
-
-    /// A free pair passes each other. True when this can be slid down to where the younger one was made: then
-    /// they stood the other way round from the beginning, and nothing is entered.
-    bool turnRound(const Pair& pair);
 
     /// Free pairs come to stand at one place again. True when nothing has passed them since the younger one
     /// was made: then it is as if they had not parted.
@@ -107,6 +105,8 @@ private:
     List& list(Strand strand);
     void enter(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment);
     bool undo(const Pair& pair);
+    bool turnRound(const Pair& pair);
+    void turnFree(std::span<const Pair> pairs);
     std::vector<std::size_t>::iterator findFirst(std::span<const Pair> pairs);
     bool isMetBefore(const Pair& a, const Pair& b) const;
     void settle(Strand left, Strand right);

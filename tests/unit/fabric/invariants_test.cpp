@@ -42,6 +42,7 @@ constexpr const char* kKnownSide =
     "loops that came to face each other are passed in the order in which they stand";
 constexpr const char* kSplit = "a loop parts from the one that was drawn through it in a split";
 constexpr const char* kStack = "loops of a stack are passed back in their order";
+constexpr const char* kMeet = "loops that part and meet again with nothing between are as if they had not";
 constexpr const char* kLong = "more than 32 passings on one float";
 
 /// The program with something in it that does nothing makes the same fabric, wherever it is put in. Small
@@ -77,11 +78,31 @@ TEST(Invariants, ATransferThereAndBackIsNothing) {
                       kKnown);
 }
 
+TEST(Invariants, ATransferBeforeItsOppositeIsNothing) {
+    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::TransferBeforeItsOpposite));
+}
+
+/// All but where the machine made it.
+TEST(Invariants, ATuckIsATuckOnTheOtherBedTransferred) {
+    forRandomPrograms(kPrograms, {.operations = 150}, [](const Program& program) {
+        const FabricForm plain = withSortedCrossings(withoutMachine(formOf(knitted(program))));
+        for (std::uint32_t seed = 0; seed < 8; ++seed) {
+            const Program changed = test::withTuckFromTheOtherBed(program, seed);
+            const FabricForm other = withSortedCrossings(withoutMachine(formOf(knitted(changed))));
+            const std::string failure = difference(plain, other);
+            if (!failure.empty()) {
+                return failure + "\nWith:\n" + formats::knitout::write(changed);
+            }
+        }
+        return std::string();
+    });
+}
+
 TEST(Invariants, AMissThereAndBackIsNothing) {
     constexpr KnownSeed kKnown[] = {{72, kFree},       {360, kFree},      {1918, kFree},      {2113, kFree},
                                     {4981, kFree},     {672, kKnownSide}, {3178, kKnownSide}, {3723, kBoth},
                                     {4869, kOneByOne}, {5596, kOneByOne}, {5674, kBoth},      {509, kSplit},
-                                    {4791, kStack},    {91, kLong}};
+                                    {4791, kStack},    {3097, kMeet},     {91, kLong}};
     forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::MissThereAndBack), kKnown);
 }
 

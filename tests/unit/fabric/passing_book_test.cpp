@@ -155,7 +155,7 @@ TEST(PassingBook, WhatPartedAndGoesPastStoodTheOtherWayRoundFromTheBeginning) {
     test.book.part({kA, kB, -1});
     test.pass(kA, kX, -1);
     test.pass(kX, kB, 1);
-    EXPECT_TRUE(test.book.turnRound({kA, kB, 1}));
+    test.pass(kA, kB, 1);
     EXPECT_THAT(test.book.on(kX), ElementsAre(1, 0));
     test.pass(kA, kX, 1);
     test.pass(kX, kB, -1);
@@ -167,7 +167,6 @@ TEST(PassingBook, WhatHasAStrandBetweenItDoesNotTurnRound) {
     Book test;
     test.book.part({kA, kB, -1});
     test.pass(kA, kX, -1);
-    EXPECT_FALSE(test.book.turnRound({kA, kB, 1}));
     test.pass(kA, kB, 1);
     EXPECT_THAT(test.book.on(kB), ElementsAre(1));
 }
@@ -183,9 +182,11 @@ TEST(PassingBook, WhatOneOfThemPassedBeforeTheOtherWasMadeIsNotInTheWay) {
     book.bar(0, 1);
     book.addLoop(1); // in a split: drawn through A
     book.part({kA, kB, -1});
-    EXPECT_TRUE(book.turnRound({kA, kB, 1}));
+    book.pass(std::array{PassingBook::Pair{kA, kB, 1}}, 1, 2);
+    EXPECT_TRUE(book.on(kB).empty());
     book.bar(0, 2);
-    EXPECT_FALSE(book.turnRound({kA, kB, -1})) << "a loop was drawn through A since";
+    book.pass(std::array{PassingBook::Pair{kA, kB, -1}}, 2, 3);
+    EXPECT_EQ(book.on(kB).size(), 1U) << "a loop was drawn through A since";
 }
 
 /// A stood on the left of Y before they came to hang on one needle, which X passes to the right. On the way
@@ -200,16 +201,15 @@ TEST(PassingBook, AStackIsPassedBackInItsOrder) {
     EXPECT_TRUE(test.book.on(kX).empty());
 }
 
-/// The first of a stack has passed nothing: then nothing is undone.
-TEST(PassingBook, AStackThatComesToFacePassesBackWithItsFirst) {
+/// The eldest of a stack has passed nothing, a younger one has: then that is not undone.
+TEST(PassingBook, AStackComesToStandOnTheSideOfItsEldest) {
     Book test;
-    test.pass(kA, kX, 1);
+    test.pass(kY, kX, 1);
     const std::array back{PassingBook::Pair{kY, kX, -1}, PassingBook::Pair{kA, kX, -1}};
     EXPECT_FALSE(test.book.passBack(back, 0, ++test.moment));
-    ASSERT_EQ(test.book.on(kA).size(), 1U);
-    const auto sign = test.book.passings()[static_cast<std::size_t>(test.book.on(kA)[0])].sign;
-    EXPECT_EQ(sign, 1);
-    EXPECT_TRUE(test.book.on(kY).empty());
+    ASSERT_EQ(test.book.on(kY).size(), 1U);
+    EXPECT_EQ(test.book.passings()[static_cast<std::size_t>(test.book.on(kY)[0])].sign, 1);
+    EXPECT_TRUE(test.book.on(kA).empty());
 }
 
 } // namespace
