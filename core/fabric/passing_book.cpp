@@ -44,30 +44,18 @@ PassingBook::List& PassingBook::list(Strand strand) {
 
 void PassingBook::pass(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment) {
     undoEldestFirst(pairs);
-    turnFree(pairs);
     enter(pairs, operation, moment);
 }
 
 bool PassingBook::passBack(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment) {
-    const auto age = [](const Pair& pair) { return std::minmax(pair.over, pair.under); };
-    std::optional<std::size_t> first;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (!isFree(pairs[i]) && (!first || age(pairs[i]) < age(pairs[*first]))) {
-            first = i;
-        }
-    }
-    if (!first) {
-        return false;
-    }
     undoEldestFirst(pairs);
     const auto isLeft = [&](std::size_t i) { return std::ranges::find(m_left, i) != m_left.end(); };
-    if (!isLeft(*first)) {
-        turnFree(pairs);
+    if (!isLeft(0)) {
         enter(pairs, operation, moment);
         return true;
     }
     std::vector<Pair> again;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
+    for (std::size_t i = 1; i < pairs.size(); ++i) {
         if (!isLeft(i)) {
             again.push_back(pairs[i]);
             again.back().sign *= -1;
@@ -194,15 +182,6 @@ void PassingBook::undoEldestFirst(std::span<const Pair> pairs) {
     }
 }
 
-/// Of those that are left, what that lets go, too.
-void PassingBook::turnFree(std::span<const Pair> pairs) {
-    std::size_t before = m_left.size() + 1;
-    while (m_left.size() < before) {
-        before = m_left.size();
-        std::erase_if(m_left, [&](std::size_t i) { return turnRound(pairs[i]) || undo(pairs[i]); });
-    }
-}
-
 bool PassingBook::undo(const Pair& pair) {
     const std::int32_t number = findLast(pair.over, pair.under);
     if (number < 0) {
@@ -253,9 +232,6 @@ bool PassingBook::meetAgain(std::span<const Pair> pairs) {
 }
 
 bool PassingBook::turnRound(const Pair& pair) {
-    if (!isFree(pair)) {
-        return false;
-    }
     const Strand younger = std::max(pair.over, pair.under);
     const Passing before{
         .over = pair.over, .under = pair.under, .sign = static_cast<std::int8_t>(-pair.sign)};

@@ -117,6 +117,7 @@ private:
     void passRackMeetings(int direction);
     void pairRear(Strand over, std::int32_t rear, int direction, double place);
     void passRear();
+    void turnFree();
     void leaveFacing(std::int32_t rear, double place, int direction);
     void comeToFace(std::int32_t rear, double place, int direction);
     void pairFacing(std::int32_t rear, double place, int direction);

@@ -130,7 +130,21 @@ void StrandTracker::pairRear(Strand over, std::int32_t rear, int direction, doub
 }
 
 void StrandTracker::passRear() {
+    turnFree();
     m_book.pass(m_pairs, m_rackOperation, ++m_moment);
+}
+
+/// Those that faced each other from the beginning and have not passed each other since stood the other way
+/// round from the beginning, if that can be. All of a needle go the same way: if one of them counts, they all
+/// do.
+void StrandTracker::turnFree() {
+    if (std::ranges::all_of(m_pairs, [&](const PassingBook::Pair& pair) { return m_book.isFree(pair); })) {
+        std::size_t before = m_pairs.size() + 1;
+        while (m_pairs.size() < before) {
+            before = m_pairs.size();
+            std::erase_if(m_pairs, [&](const PassingBook::Pair& pair) { return m_book.turnRound(pair); });
+        }
+    }
 }
 
 void StrandTracker::leaveFacing(std::int32_t rear, double place, int direction) {
@@ -157,7 +171,7 @@ void StrandTracker::comeToFace(std::int32_t rear, double place, int direction) {
         return;
     }
     // Some may have passed before and thereby have not. All of a needle come to stand on the side of the
-    // eldest.
+    // loops nearest to the beds.
     const bool hadPassed = m_book.passBack(m_pairs, m_rackOperation, ++m_moment);
     for (const PassingBook::Pair& pair : m_pairs) {
         m_cameFrom[code(pair)] = hadPassed ? direction : -direction;
