@@ -38,9 +38,10 @@ namespace knittsim::fabric {
 /// chains of third moves that only together make room for a second one. Then the crossings stay: they are
 /// right, but there are more of them than need be, and which of them stay may depend on what else the machine
 /// did. Of 6,000 random programs with stacks and racks none showed it when something that does nothing was
-/// put in at 8 places of each, of 100 programs two at 200 places of each (a chain of third moves: test
-/// PassingBook.AThirdMoveThatOnlyMakesRoomIsNotLookedFor). Telling in general whether two diagrams show the
-/// same fabric is a problem of knot theory that no local rule decides.
+/// put in at 8 places of each; of 300 three did at 200 places of each: a chain of third moves (test
+/// PassingBook.AThirdMoveThatOnlyMakesRoomIsNotLookedFor), a stack of which one loop turned round and another
+/// one passed, and one that was not traced. Telling in general whether two diagrams show the same fabric is a
+/// problem of knot theory that no local rule decides.
 class PassingBook {
 public:
     static constexpr std::size_t kReach = 256;
