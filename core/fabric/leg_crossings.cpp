@@ -127,7 +127,7 @@ void LegCrossings::list(Strand strand) {
     for (const Piece piece : fromLeft(strand.kind)) {
         auto slot = m_onPiece.begin() + m_first[static_cast<std::size_t>(number(loop, piece))];
         for (const std::int32_t p : on) {
-            if (p == PassingBook::kBar || m_firstOfPassing[static_cast<std::size_t>(p)] < 0) {
+            if (PassingBook::isBar(p) || m_firstOfPassing[static_cast<std::size_t>(p)] < 0) {
                 continue;
             }
             const Passing& passing = m_tracker.book().passings()[static_cast<std::size_t>(p)];

@@ -30,9 +30,9 @@ std::span<const std::int32_t> latestOf(const List& on) {
     return lastOf(on, std::min(on.size(), PassingBook::kReach + 1));
 }
 
-/// +1 when `strand` moved to the right past the other one.
-int directionOf(Strand strand, const Passing& passing) {
-    return strand == passing.over ? passing.sign : -passing.sign;
+/// Of two loops.
+std::uint64_t code(Strand over, Strand under) {
+    return static_cast<std::uint64_t>(over.index) << 32 | static_cast<std::uint32_t>(under.index);
 }
 
 } // namespace
@@ -44,6 +44,29 @@ PassingBook::List& PassingBook::list(Strand strand) {
 
 void PassingBook::pass(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment) {
     undoEldestFirst(pairs);
+    enter(pairs, operation, moment);
+}
+
+bool PassingBook::passBack(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment) {
+    undoEldestFirst(pairs);
+    const auto isLeft = [&](std::size_t i) { return std::ranges::find(m_left, i) != m_left.end(); };
+    if (!isLeft(0)) {
+        enter(pairs, operation, moment);
+        return true;
+    }
+    std::vector<Pair> again;
+    for (std::size_t i = 1; i < pairs.size(); ++i) {
+        if (!isLeft(i)) {
+            again.push_back(pairs[i]);
+            again.back().sign *= -1;
+        }
+    }
+    pass(again, operation, moment);
+    return false;
+}
+
+/// Those that are left.
+void PassingBook::enter(std::span<const Pair> pairs, OperationIndex operation, std::int32_t moment) {
     m_inOrder = m_left;
     std::ranges::sort(m_inOrder);
     const std::size_t first = m_passings.size();
@@ -61,7 +84,10 @@ void PassingBook::pass(std::span<const Pair> pairs, OperationIndex operation, st
         m_left.erase(next);
         const auto among = std::ranges::lower_bound(m_inOrder, i) - m_inOrder.begin();
         const auto number = static_cast<std::int32_t>(first) + static_cast<std::int32_t>(among);
-        settle(pairs[i]);
+        if (sideOf(pairs[i].over, pairs[i].under) == 0) {
+            const bool right = pairs[i].sign > 0;
+            settle(right ? pairs[i].over : pairs[i].under, right ? pairs[i].under : pairs[i].over);
+        }
         list(pairs[i].over).push_back(number);
         list(pairs[i].under).push_back(number);
     }
@@ -87,30 +113,39 @@ bool PassingBook::isMetBefore(const Pair& a, const Pair& b) const {
     const bool over = passes(b, a.over); // the strand that passes both
     const Strand near = over ? a.under : a.over;
     const Strand far = b.over == (over ? a.over : a.under) ? b.under : b.over;
-    const std::int32_t last = findLast(near, far);
     const bool rightward = (a.sign > 0) == over;
-    return last >= 0 && (directionOf(far, at(last)) > 0) == rightward;
+    return sideOf(far, near) == (rightward ? 1 : -1);
 }
 
-/// The two that pass each other may have had no order until now. They had this one: what passed both at one
-/// moment met the left one first on its way to the right.
-void PassingBook::settle(const Pair& pair) {
-    if (havePassed(pair.over, pair.under)) {
-        return;
+/// Where `a` stands: 1 on the right of `b`, -1 on its left, 0 when they have no order.
+int PassingBook::sideOf(Strand a, Strand b) const {
+    if (const std::int32_t last = findLast(a, b); last >= 0) {
+        return at(last).directionOf(a) > 0 ? 1 : -1;
     }
-    const Strand left = pair.sign > 0 ? pair.over : pair.under;
-    const Strand right = pair.sign > 0 ? pair.under : pair.over;
+    if (a.kind != Strand::Kind::Loop || b.kind != Strand::Kind::Loop) {
+        return 0;
+    }
+    if (const auto found = m_began.find(code(a, b)); found != m_began.end()) {
+        return found->second;
+    }
+    const auto found = m_began.find(code(b, a));
+    return found == m_began.end() ? 0 : -found->second;
+}
+
+/// The two had no order until now. They had this one: what passed both at one moment met the left one first
+/// on its way to the right.
+void PassingBook::settle(Strand left, Strand right) {
     const auto onRight = latestOf(on(right));
     for (const std::int32_t number : latestOf(on(left))) {
-        if (number == kBar) {
+        if (isBar(number)) {
             continue;
         }
         const Strand strand = at(number).other(left);
         const auto twin = std::ranges::find_if(onRight, [&](std::int32_t n) {
-            return n != kBar && at(n).moment == at(number).moment && at(n).other(right) == strand;
+            return !isBar(n) && at(n).moment == at(number).moment && at(n).other(right) == strand;
         });
         if (twin != onRight.end()) {
-            const bool rightward = directionOf(strand, at(number)) > 0;
+            const bool rightward = at(number).directionOf(strand) > 0;
             putInOrder(strand, rightward ? number : *twin, rightward ? *twin : number);
         }
     }
@@ -154,21 +189,57 @@ bool PassingBook::undo(const Pair& pair) {
     }
     const Passing last = at(number);
     if (!(last.over == pair.over) || last.sign != -pair.sign || !collectGap(last.over, number, m_gapOver) ||
-        !collectGap(last.under, number, m_gapUnder) || m_gapOver.size() != m_gapUnder.size()) {
+        !collectGap(last.under, number, m_gapUnder) || !slideAway(last)) {
         return false;
-    }
-    const std::optional<Strand> slider = findSlider(last);
-    if ((!slider && !m_gapOver.empty()) || !isGapClear(last)) {
-        return false;
-    }
-    if (slider) {
-        slide(last, *slider);
     }
     for (const Strand strand : {last.over, last.under}) {
         List& passings = list(strand);
         passings.erase(passings.end() - 1 - static_cast<std::ptrdiff_t>(*countAfter(passings, number)));
     }
     m_passings[static_cast<std::size_t>(number)].undone = true;
+    return true;
+}
+
+void PassingBook::part(const Pair& pair) {
+    if (sideOf(pair.over, pair.under) != 0) {
+        return;
+    }
+    const bool right = pair.sign > 0;
+    settle(right ? pair.under : pair.over, right ? pair.over : pair.under);
+    m_began[code(pair.over, pair.under)] = pair.sign;
+}
+
+bool PassingBook::isFree(const Pair& pair) const {
+    return pair.over.kind == Strand::Kind::Loop && pair.under.kind == Strand::Kind::Loop &&
+           m_began.contains(code(pair.over, pair.under)) && !havePassed(pair.over, pair.under);
+}
+
+bool PassingBook::meetAgain(std::span<const Pair> pairs) {
+    List gap;
+    const auto nothingPassed = [&](Strand strand, Strand younger) {
+        return collectSince(younger, strand, gap) && gap.empty();
+    };
+    const bool asBefore = std::ranges::all_of(pairs, [&](const Pair& pair) {
+        const Strand younger = std::max(pair.over, pair.under);
+        return isFree(pair) && nothingPassed(pair.over, younger) && nothingPassed(pair.under, younger);
+    });
+    for (const Pair& pair : pairs) {
+        if (asBefore) {
+            m_began.erase(code(pair.over, pair.under));
+        }
+    }
+    return asBefore;
+}
+
+bool PassingBook::turnRound(const Pair& pair) {
+    const Strand younger = std::max(pair.over, pair.under);
+    const Passing before{
+        .over = pair.over, .under = pair.under, .sign = static_cast<std::int8_t>(-pair.sign)};
+    if (!collectSince(younger, pair.over, m_gapOver) || !collectSince(younger, pair.under, m_gapUnder) ||
+        !slideAway(before)) {
+        return false;
+    }
+    m_began[code(pair.over, pair.under)] = pair.sign;
     return true;
 }
 
@@ -179,7 +250,7 @@ std::int32_t PassingBook::findLast(Strand a, Strand b) const {
     const Strand longer = aIsShorter ? b : a;
     const auto latest = latestOf(on(shorter));
     const auto found = std::find_if(latest.rbegin(), latest.rend(), [&](std::int32_t number) {
-        return number != kBar && at(number).other(shorter) == longer;
+        return !isBar(number) && at(number).other(shorter) == longer;
     });
     return found == latest.rend() ? -1 : *found;
 }
@@ -196,143 +267,24 @@ bool PassingBook::collectGap(Strand strand, std::int32_t number, List& gap) cons
     const auto begin =
         std::ranges::find_if_not(rest, [&](std::int32_t n) { return areUnordered(strand, number, n); });
     gap.assign(begin, rest.end());
-    return std::ranges::find(gap, kBar) == gap.end();
+    return std::ranges::none_of(gap, isBar);
 }
 
-/// One of the two strands of `passing` that can be slid across all that lies in the gap above it.
-std::optional<Strand> PassingBook::findSlider(const Passing& passing) const {
-    if (m_gapOver.empty()) {
-        return std::nullopt;
-    }
-    const auto isOnce = [&](const List& gap, Strand own, Strand strand) {
-        return std::ranges::count_if(gap, [&](std::int32_t n) { return at(n).other(own) == strand; }) == 1;
-    };
-    for (const std::int32_t number : m_gapOver) {
-        const Strand strand = at(number).other(passing.over);
-        if (!isOnce(m_gapOver, passing.over, strand) || !isOnce(m_gapUnder, passing.under, strand) ||
-            !runsThrough(passing, strand)) {
-            return std::nullopt;
-        }
-    }
-    // The elder one first: a rule that does not depend on the side from which one looks.
-    const bool overFirst = passing.over < passing.under;
-    for (const bool over : {overFirst, !overFirst}) {
-        const Strand slider = over ? passing.over : passing.under;
-        if (canSlide(slider, over ? m_gapOver : m_gapUnder)) {
-            return slider;
-        }
-    }
-    return std::nullopt;
-}
-
-/// `strand` comes into the gap past one of the two and leaves it past the other one.
-bool PassingBook::runsThrough(const Passing& passing, Strand strand) const {
-    const std::int32_t past = findLast(passing.over, strand);
-    const std::int32_t pastUnder = findLast(passing.under, strand);
-    if (past < 0 || pastUnder < 0 || directionOf(strand, at(past)) != directionOf(strand, at(pastUnder))) {
-        return false;
-    }
-    if (at(past).over == strand && at(pastUnder).under == strand) {
-        return false; // in front of the front one and behind the rear one
-    }
-    // The one that has gone to the right lies on the right hand side of the gap.
-    const auto afterOver = countAfter(on(strand), past);
-    const auto afterUnder = countAfter(on(strand), pastUnder);
-    const bool underFirst = (directionOf(strand, at(past)) > 0) == (passing.sign > 0);
-    return afterOver && afterUnder && (*afterUnder > *afterOver) == underFirst;
-}
-
-/// On no strand that runs through the gap lies anything else between its passings of the two.
-bool PassingBook::isGapClear(const Passing& passing) {
-    return std::ranges::all_of(m_gapOver, [&](std::int32_t number) {
-        const Strand strand = at(number).other(passing.over);
-        return gather(strand, passing.over, number, findLast(passing.under, strand));
-    });
-}
-
-/// Finds the passings of `strand` from `a` to `b` and an order of them in which nothing lies between the two
-/// but passings of strands that run through the gap, too. False when there is none.
-bool PassingBook::gather(Strand strand, Strand over, std::int32_t a, std::int32_t b) {
+/// The passings on a strand since `younger` was made. False when they are too many or barred.
+bool PassingBook::collectSince(Strand younger, Strand strand, List& gap) const {
     const List& passings = on(strand);
-    const auto isOneOfTheTwo = [&](std::int32_t n) { return n == a || n == b; };
-    const auto near = passings.end() - static_cast<std::ptrdiff_t>(std::min(passings.size(), kReach + 1));
-    const auto first = std::find_if(near, passings.end(), isOneOfTheTwo);
-    const auto second =
-        first == passings.end() ? first : std::find_if(first + 1, passings.end(), isOneOfTheTwo);
-    if (second == passings.end()) {
-        return false;
-    }
-    m_gathered.begin = static_cast<std::size_t>(first - passings.begin());
-    m_gathered.before.clear();
-    m_gathered.between.clear();
-    m_gathered.after.clear();
-    const auto canPassAll = [&](std::int32_t n, const List& others) {
-        return std::ranges::all_of(others, [&](std::int32_t o) { return areUnordered(strand, n, o); });
+    const Made& made = m_made[static_cast<std::size_t>(younger.index)];
+    const auto isBefore = [&](std::int32_t n) {
+        return isBar(n) ? -1 - n <= made.operation : n < made.first;
     };
-    for (auto n = first + 1; n != second; ++n) {
-        const auto runsThere = [&](std::int32_t g) {
-            return *n != kBar && at(g).other(over) == at(*n).other(strand);
-        };
-        if (areUnordered(strand, *first, *n) && canPassAll(*n, m_gathered.between) &&
-            canPassAll(*n, m_gathered.after)) {
-            m_gathered.before.push_back(*n);
-        } else if (areUnordered(strand, *second, *n)) {
-            m_gathered.after.push_back(*n);
-        } else if (std::ranges::any_of(m_gapOver, runsThere) && canPassAll(*n, m_gathered.after)) {
-            m_gathered.between.push_back(*n);
-        } else {
-            return false;
-        }
-    }
-    return true;
-}
-
-bool PassingBook::canSlide(Strand slider, const List& gap) const {
-    const bool inFront = at(gap[0]).over == slider;
-    return std::ranges::all_of(gap, [&](std::int32_t n) { return (at(n).over == slider) == inFront; });
+    const auto begin = std::find_if(passings.rbegin(), passings.rend(), isBefore).base();
+    gap.assign(begin, passings.end());
+    return gap.size() <= kReach && std::ranges::none_of(gap, isBar);
 }
 
 bool PassingBook::areUnordered(Strand strand, std::int32_t a, std::int32_t b) const {
-    return a != kBar && b != kBar && at(a).moment == at(b).moment &&
-           findLast(at(a).other(strand), at(b).other(strand)) < 0;
-}
-
-/// Puts `moved` right behind `fixed` if it came before, right before it if it came behind.
-void PassingBook::swapOrder(Strand strand, Strand over, std::int32_t moved, std::int32_t fixed) {
-    if (!gather(strand, over, moved, fixed)) {
-        return;
-    }
-    List& passings = list(strand);
-    const auto begin = passings.begin() + static_cast<std::ptrdiff_t>(m_gathered.begin);
-    const bool movedFirst = *begin == moved;
-    auto next = std::ranges::copy(m_gathered.before, begin).out;
-    const auto put = [&](std::int32_t number) { *next++ = number; };
-    if (!movedFirst) {
-        put(moved);
-        put(fixed);
-    }
-    next = std::ranges::copy(m_gathered.between, next).out;
-    if (movedFirst) {
-        put(fixed);
-        put(moved);
-    }
-    std::ranges::copy(m_gathered.after, next);
-}
-
-/// The last passings of `slider` are those in the gap above `passing`. Moves them to the other side of the
-/// other strand.
-void PassingBook::slide(const Passing& passing, Strand slider) {
-    const Strand fixed = passing.other(slider);
-    List& onSlider = list(slider);
-    auto next = onSlider.end() - static_cast<std::ptrdiff_t>(m_gapOver.size());
-    for (const std::int32_t pastFixed : lastOf(on(fixed), m_gapOver.size())) {
-        const Strand strand = at(pastFixed).other(fixed);
-        const auto found =
-            std::find_if(next, onSlider.end(), [&](auto n) { return at(n).other(slider) == strand; });
-        std::iter_swap(next, found);
-        swapOrder(strand, passing.over, *next, pastFixed);
-        ++next;
-    }
+    return !isBar(a) && !isBar(b) && at(a).moment == at(b).moment &&
+           sideOf(at(a).other(strand), at(b).other(strand)) == 0;
 }
 
 } // namespace knittsim::fabric

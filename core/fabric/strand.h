@@ -29,6 +29,8 @@ struct Passing {
     std::int32_t moment = 0;
 
     Strand other(Strand strand) const { return strand == over ? under : over; }
+    /// +1 when `strand`, one of the two, went to the right past the other one.
+    int directionOf(Strand strand) const { return strand == over ? sign : -sign; }
 };
 
 } // namespace knittsim::fabric

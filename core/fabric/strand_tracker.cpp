@@ -27,9 +27,8 @@ std::int32_t StrandTracker::openFloat() {
 void StrandTracker::yarnMoved(CarrierIndex carrier, const machine::CarrierPlace* from,
                               const machine::CarrierPlace& to) {
     applyRack();
-    ++m_rank;
     const int side = sign(to.side);
-    const Key target{to.pitches, side, side > 0 ? -m_rank : m_rank};
+    const Key target{to.pitches, side, rankBeside(side)};
     if (from == nullptr) {
         m_yarns[carrier] = {.open = true, .key = target, .number = openFloat()};
     } else {
@@ -75,7 +74,7 @@ void StrandTracker::moveYarns(std::span<const Way> together) {
     for (std::size_t i = 0; i < m_met.size();) {
         m_pairs.clear();
         const Key place = m_met[i].key;
-        for (; i < m_met.size() && m_met[i].key.x == place.x && m_met[i].key.side == place.side; ++i) {
+        for (; i < m_met.size() && m_met[i].key == place; ++i) {
             pairYarns(together, m_met[i], direction);
         }
         m_book.pass(m_pairs, operation(), ++m_moment);
@@ -97,7 +96,7 @@ void StrandTracker::collectLoops(Bed bed, const Key& low, const Key& high) {
         }
         if (!machine::isFront(bed) && !row.at(i).empty()) {
             // Of two loops that face each other the rear one comes first if it came from the left.
-            key.rank = facingSide(i, key.x) < 0 ? -1 : 1;
+            key.rank = facingSide(i, key.x);
         }
         for (const LoopIndex loop : row.at(i)) {
             m_met.push_back({key, {Strand::Kind::Loop, loop}, machine::isFront(bed) ? 1 : -1, 0});
@@ -115,10 +114,13 @@ void StrandTracker::collectYarns(const Key& low, const Key& high, const machine:
     }
 }
 
+/// Loops that face each other and have no order: the one in front as if it stood on the left.
 void StrandTracker::sortMet(int direction) {
-    std::ranges::stable_sort(m_met, [direction](const Met& a, const Met& b) {
-        return direction > 0 ? a.key < b.key : b.key < a.key;
-    });
+    const auto isLeft = [](const Met& a, const Met& b) {
+        return a.key == b.key ? a.layer > b.layer : a.key < b.key;
+    };
+    std::ranges::stable_sort(
+        m_met, [&](const Met& a, const Met& b) { return direction > 0 ? isLeft(a, b) : isLeft(b, a); });
 }
 
 void StrandTracker::pairYarns(std::span<const Way> together, const Met& met, int direction) {
@@ -143,7 +145,7 @@ void StrandTracker::loopMade(LoopIndex loop) {
     const machine::Loop& made = m_emulator.loops().loops[static_cast<std::size_t>(loop)];
     Yarn& yarn = m_yarns[made.carrier];
     m_fates.push_back({made.needle, made.rack, Loop::End::Held, isCrowded(made.needle, made.rack)});
-    m_book.addLoop();
+    m_book.addLoop(operation());
     for (const LoopIndex parent : m_emulator.loops().parentsOf(loop)) {
         Fate& fate = m_fates[static_cast<std::size_t>(parent)];
         fate.end = Loop::End::Bound;
@@ -151,15 +153,14 @@ void StrandTracker::loopMade(LoopIndex loop) {
             fate.needle = made.needle;
             fate.rack = made.rack;
         } else {
-            m_book.bar(parent);
+            m_book.bar(parent, operation());
         }
     }
     inheritFacing(loop);
     m_loopAfter[static_cast<std::size_t>(yarn.number)] = loop;
-    ++m_rank;
     const int side = sign(made.direction);
     yarn = {.open = true,
-            .key = {machine::positionPitches(made.needle, made.rack), side, side > 0 ? -m_rank : m_rank},
+            .key = {machine::positionPitches(made.needle, made.rack), side, rankBeside(side)},
             .number = openFloat()};
 }
 

@@ -9,7 +9,6 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 namespace knittsim::fabric {
@@ -31,9 +30,9 @@ namespace knittsim::fabric {
 /// Loops that face each other (same place, both beds) have not passed yet. At rack 0.25 the rear loop stands
 /// to the right of the front loop with its number, and between racks 0 and 0.25 nothing passes. A rear loop
 /// that comes to face a front loop has passed it when it goes on, not when it goes back. Loops that faced
-/// each other from the beginning have no order, and none of their ways past each other counts: whichever way
-/// they end up is how they stood from the beginning. All loops of a needle go the same way: where some of
-/// them have an order with those that they face, the others take it over.
+/// each other from the beginning have no order until they part, and their ways past each other do not count
+/// if they may as well have stood the other way round from the beginning (PassingBook). All loops of a needle
+/// go the same way: those that have no order with what they face take over that of the others.
 class StrandTracker : public machine::EmulationListener {
 public:
     /// `emulator` is the one that will be stepped; it must outlive the tracker.
@@ -69,11 +68,12 @@ public:
 
 private:
     /// Place in the order along the bed. `side` -1, 0, +1: left of, on, right of a needle at `x`. Of several
-    /// yarns on one side of a needle the one that came last is nearest to the needle.
+    /// yarns on one side of a needle the one that came last is nearest to the needle. What has one key stands
+    /// at one place: a stack, yarns of one operation, loops that face each other and have no order yet.
     struct Key {
         double x = 0;
         int side = 0;
-        std::int64_t rank = 0;
+        OperationIndex rank = 0;
         auto operator<=>(const Key&) const = default;
     };
     struct Yarn {
@@ -117,8 +117,7 @@ private:
     void passRackMeetings(int direction);
     void pairRear(Strand over, std::int32_t rear, int direction, double place);
     void passRear();
-    void settleFree();
-    bool isFree(PassingBook::Pair pair) const;
+    void turnFree();
     void leaveFacing(std::int32_t rear, double place, int direction);
     void comeToFace(std::int32_t rear, double place, int direction);
     void pairFacing(std::int32_t rear, double place, int direction);
@@ -131,6 +130,7 @@ private:
     PassingBook::Pair facingPair(const machine::Loop& made, LoopIndex own, LoopIndex other) const;
     std::int32_t openFloat();
     OperationIndex operation() const { return m_emulator.state().nextOperation - 1; }
+    OperationIndex rankBeside(int side) const { return side > 0 ? -operation() : operation(); }
 
     const machine::Emulator& m_emulator;
     const machine::Program& m_program;
@@ -141,12 +141,10 @@ private:
     /// Pairs of loops that face each other: side from which the rear one came, -1 left, +1 right. None if
     /// they face each other from the beginning.
     std::unordered_map<std::uint64_t, int> m_cameFrom;
-    std::unordered_set<std::uint64_t> m_facedFromStart; ///< pairs of loops that parted later
-    std::vector<Way> m_ways;                            ///< of the carriers of the present operation
+    std::vector<Way> m_ways; ///< of the carriers of the present operation
     std::vector<Met> m_met;
     std::vector<RackMeeting> m_rackMeetings;
     std::vector<PassingBook::Pair> m_pairs;
-    std::int64_t m_rank = 0;
     std::int32_t m_moment = 0;
     std::optional<double> m_rackFrom; ///< of the racks since something else happened
     double m_rackTo = 0;

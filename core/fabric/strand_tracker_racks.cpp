@@ -130,58 +130,52 @@ void StrandTracker::pairRear(Strand over, std::int32_t rear, int direction, doub
 }
 
 void StrandTracker::passRear() {
-    settleFree();
+    turnFree();
     m_book.pass(m_pairs, m_rackOperation, ++m_moment);
 }
 
-/// All of a needle go the same way: if one of them counts, they all do from now on.
-void StrandTracker::settleFree() {
-    if (std::ranges::all_of(m_pairs, [&](const PassingBook::Pair& pair) { return isFree(pair); })) {
-        m_pairs.clear();
-    }
-    for (const PassingBook::Pair& pair : m_pairs) {
-        if (pair.over.kind == Strand::Kind::Loop) {
-            m_facedFromStart.erase(code(pair));
+/// Those that faced each other from the beginning and have not passed each other since stood the other way
+/// round from the beginning, if that can be. All of a needle go the same way: if one of them counts, they all
+/// do.
+void StrandTracker::turnFree() {
+    if (std::ranges::all_of(m_pairs, [&](const PassingBook::Pair& pair) { return m_book.isFree(pair); })) {
+        std::size_t before = m_pairs.size() + 1;
+        while (m_pairs.size() < before) {
+            before = m_pairs.size();
+            std::erase_if(m_pairs, [&](const PassingBook::Pair& pair) { return m_book.turnRound(pair); });
         }
     }
 }
 
 void StrandTracker::leaveFacing(std::int32_t rear, double place, int direction) {
     const int side = facingSide(rear, place);
+    // Those that have had no order get that of the others, or else that in which they part.
+    pairFacing(rear, place, side == 0 ? direction : side);
+    for (const PassingBook::Pair& pair : m_pairs) {
+        if (cameFrom(pair) == 0) {
+            m_book.part(pair);
+        }
+    }
     pairFacing(rear, place, direction);
     for (const PassingBook::Pair& pair : m_pairs) {
         m_cameFrom.erase(code(pair));
     }
-    if (side == 0) {
-        for (const PassingBook::Pair& pair : m_pairs) {
-            m_facedFromStart.insert(code(pair));
-        }
-    } else if (side == -direction) {
+    if (side == -direction) {
         passRear();
     }
 }
 
 void StrandTracker::comeToFace(std::int32_t rear, double place, int direction) {
     pairFacing(rear, place, direction);
-    settleFree();
-    if (m_pairs.empty()) {
+    if (m_pairs.empty() || m_book.meetAgain(m_pairs)) {
         return;
     }
     // Some may have passed before and thereby have not. All of a needle come to stand on the side of the
     // loops nearest to the beds.
-    const std::span<const PassingBook::Pair> all = m_pairs;
-    const bool hadPassed = m_book.undo(all.front());
-    if (hadPassed) {
-        m_book.pass(all.subspan(1), m_rackOperation, ++m_moment);
-    }
+    const bool hadPassed = m_book.passBack(m_pairs, m_rackOperation, ++m_moment);
     for (const PassingBook::Pair& pair : m_pairs) {
         m_cameFrom[code(pair)] = hadPassed ? direction : -direction;
     }
-}
-
-bool StrandTracker::isFree(PassingBook::Pair pair) const {
-    return pair.over.kind == Strand::Kind::Loop && m_facedFromStart.contains(code(pair)) &&
-           !m_book.havePassed(pair.over, pair.under);
 }
 
 /// Side from which the loops of a rear needle at `place` came to face those of the front needle there: -1
@@ -216,7 +210,8 @@ void StrandTracker::inheritFacing(LoopIndex loop) {
         for (const LoopIndex other : m_emulator.state().loopsOn({bed, static_cast<std::int32_t>(facing)})) {
             int side = 0;
             for (const LoopIndex parent : m_emulator.loops().parentsOf(loop)) {
-                side = side == 0 ? cameFrom(facingPair(made, parent, other)) : side;
+                const PassingBook::Pair pair = facingPair(made, parent, other);
+                side = side == 0 && !m_book.isFree(pair) ? cameFrom(pair) : side;
             }
             if (side != 0) {
                 m_cameFrom[code(facingPair(made, loop, other))] = side;

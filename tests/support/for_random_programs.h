@@ -5,17 +5,41 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <span>
+
 namespace knittsim::test {
 
-/// Checks a property for `count` random programs, with the seeds options.seed, options.seed + 1, ... The
-/// first that fails is shrunk and shown as knitout.
-inline void forRandomPrograms(int count, RandomProgramOptions options, const Property& property) {
+/// A random program that once broke a property, and what it was about.
+struct KnownSeed {
+    std::uint32_t seed;
+    const char* about;
+};
+
+/// KNITTSIM_RANDOM_PROGRAMS says how many programs every property is checked for; else `count`.
+inline int numberOfPrograms(int count) {
+    const char* given = std::getenv("KNITTSIM_RANDOM_PROGRAMS");
+    return given == nullptr ? count : std::atoi(given);
+}
+
+/// Checks a property for `count` random programs, with the seeds options.seed, options.seed + 1, ..., and for
+/// those that are `known`. The first that fails is shrunk and shown as knitout.
+inline void forRandomPrograms(int count, RandomProgramOptions options, const Property& property,
+                              std::span<const KnownSeed> known = {}) {
     const std::uint32_t first = options.seed;
-    for (int i = 0; i < count; ++i) {
-        options.seed = first + static_cast<std::uint32_t>(i);
+    const auto holds = [&](std::uint32_t seed, const std::string& about) {
+        options.seed = seed;
         const std::string failure = explainFailure(randomProgram(options), property);
-        if (!failure.empty()) {
-            ADD_FAILURE() << "seed " << options.seed << ": " << failure;
+        EXPECT_TRUE(failure.empty()) << "seed " << seed << about << ": " << failure;
+        return failure.empty();
+    };
+    for (const KnownSeed& seed : known) {
+        if (!holds(seed.seed, std::string(" (") + seed.about + ')')) {
+            return;
+        }
+    }
+    for (int i = 0; i < numberOfPrograms(count); ++i) {
+        if (!holds(first + static_cast<std::uint32_t>(i), {})) {
             return;
         }
     }

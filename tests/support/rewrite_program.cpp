@@ -101,6 +101,10 @@ Operation missTo(Needle needle, Direction side, machine::CarrierIndex carrier) {
     return op;
 }
 
+Needle facing(Needle needle, std::int32_t rack) {
+    return {otherBed(needle.bed), machine::isFront(needle.bed) ? needle.index - rack : needle.index + rack};
+}
+
 Operations rackThereAndBack(const MachineState& state, std::mt19937& random) {
     const double rack = below(random, 13) / 2.0 - 3;
     return rack == state.rack ? Operations{} : Operations{rackTo(rack), rackTo(state.rack)};
@@ -114,7 +118,7 @@ Operations transferThereAndBack(const MachineState& state, std::mt19937& random)
     }
     const auto rack = static_cast<std::int32_t>(state.rack);
     const Needle from{bed, row.first() + below(random, row.end() - row.first())};
-    const Needle to{otherBed(bed), bed == Bed::Front ? from.index - rack : from.index + rack};
+    const Needle to = facing(from, rack);
     if (state.loopsOn(from).empty() || !state.loopsOn(to).empty()) {
         return {};
     }
@@ -156,6 +160,8 @@ Operations operationsOf(Nothing nothing, const MachineState& state, const Operat
                                                 : Operations{};
     case Nothing::TransferThereAndBack:
         return transferThereAndBack(state, random);
+    case Nothing::TransferBeforeItsOpposite:
+        return next.kind == OperationKind::Xfer ? Operations{xfer(next.target, next.needle)} : Operations{};
     case Nothing::MissThereAndBack:
         return missThereAndBack(state, random);
     case Nothing::DropOfNothing:
@@ -243,6 +249,25 @@ Program with(Nothing nothing, Program program, std::uint32_t seed) {
         const Operations more = operationsOf(nothing, timeline.stateAfter(at), next, random);
         if (!more.empty()) {
             program.operations.insert(program.operations.begin() + at, more.begin(), more.end());
+            break;
+        }
+    }
+    return program;
+}
+
+Program withTuckFromTheOtherBed(Program program, std::uint32_t seed) {
+    std::mt19937 random(seed);
+    const machine::Timeline timeline(program, machine::genericProfile());
+    for (int tries = 0; tries < 50 && !program.operations.empty(); ++tries) {
+        const OperationIndex at = below(random, timeline.operationCount());
+        const auto tuck = program.operations.begin() + at;
+        const MachineState state = timeline.stateAfter(at);
+        const Needle from = facing(tuck->needle, static_cast<std::int32_t>(state.rack));
+        if (tuck->kind == OperationKind::Tuck && tuck->carriers.size() == 1 && isWhole(state.rack) &&
+            state.loopsOn(from).empty()) {
+            const Operation back = xfer(from, tuck->needle);
+            tuck->needle = from;
+            program.operations.insert(tuck + 1, back);
             break;
         }
     }

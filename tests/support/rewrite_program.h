@@ -29,13 +29,18 @@ machine::Program withSwaps(machine::Program program, int tries, std::uint32_t se
 /// Something that leaves the fabric as it is.
 enum class Nothing {
     RackThereAndBack,
-    RackInSteps,          ///< a rack in one go becomes one in two steps
-    TransferThereAndBack, ///< all loops of a needle, to an empty needle
-    MissThereAndBack,     ///< of a carrier that stands alone on its side of its needle
-    DropOfNothing,        ///< an empty needle
+    RackInSteps,               ///< a rack in one go becomes one in two steps
+    TransferThereAndBack,      ///< all loops of a needle, to an empty needle
+    TransferBeforeItsOpposite, ///< of the loops there, before all go the other way
+    MissThereAndBack,          ///< of a carrier that stands alone on its side of its needle
+    DropOfNothing,             ///< an empty needle
 };
 
 /// Puts it in at a random place where the machine can do it; the program itself when there is none.
 machine::Program with(Nothing nothing, machine::Program program, std::uint32_t seed);
+
+/// A random tuck of one carrier is made on the empty needle that faces its own one, and transferred. The
+/// program itself when there is none.
+machine::Program withTuckFromTheOtherBed(machine::Program program, std::uint32_t seed);
 
 } // namespace knittsim::test

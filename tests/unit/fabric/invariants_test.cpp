@@ -20,6 +20,7 @@ using machine::Program;
 using test::FabricForm;
 using test::formOf;
 using test::forRandomPrograms;
+using test::KnownSeed;
 
 constexpr int kPrograms = 100;
 
@@ -31,6 +32,18 @@ Fabric knitted(const Program& program) {
 FabricForm form(const Program& program) {
     return withSortedCrossings(formOf(knitted(program)));
 }
+
+constexpr const char* kFree =
+    "loops that faced each other from the beginning go past each other when a yarn has "
+    "met them one by one";
+constexpr const char* kOneByOne = "yarns that wait on one side of a needle are passed one by one";
+constexpr const char* kBoth = "a third move in front of one strand and behind another";
+constexpr const char* kKnownSide =
+    "loops that came to face each other are passed in the order in which they stand";
+constexpr const char* kSplit = "a loop parts from the one that was drawn through it in a split";
+constexpr const char* kStack = "loops of a stack are passed back in their order";
+constexpr const char* kMeet = "loops that part and meet again with nothing between are as if they had not";
+constexpr const char* kLong = "more than 32 passings on one float";
 
 /// The program with something in it that does nothing makes the same fabric, wherever it is put in. Small
 /// programs are tried more often, so that shrinking finds the place again.
@@ -58,11 +71,39 @@ TEST(Invariants, ARackInStepsIsTheRack) {
 }
 
 TEST(Invariants, ATransferThereAndBackIsNothing) {
-    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::TransferThereAndBack));
+    constexpr KnownSeed kKnown[] = {{360, kFree},  {194, "a tuck beside a loop that stands on a known side"},
+                                    {520, kStack}, {800, kSplit},
+                                    {923, kSplit}, {5488, kLong}};
+    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::TransferThereAndBack),
+                      kKnown);
+}
+
+TEST(Invariants, ATransferBeforeItsOppositeIsNothing) {
+    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::TransferBeforeItsOpposite));
+}
+
+/// All but where the machine made it.
+TEST(Invariants, ATuckIsATuckOnTheOtherBedTransferred) {
+    forRandomPrograms(kPrograms, {.operations = 150}, [](const Program& program) {
+        const FabricForm plain = withSortedCrossings(withoutMachine(formOf(knitted(program))));
+        for (std::uint32_t seed = 0; seed < 8; ++seed) {
+            const Program changed = test::withTuckFromTheOtherBed(program, seed);
+            const FabricForm other = withSortedCrossings(withoutMachine(formOf(knitted(changed))));
+            const std::string failure = difference(plain, other);
+            if (!failure.empty()) {
+                return failure + "\nWith:\n" + formats::knitout::write(changed);
+            }
+        }
+        return std::string();
+    });
 }
 
 TEST(Invariants, AMissThereAndBackIsNothing) {
-    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::MissThereAndBack));
+    constexpr KnownSeed kKnown[] = {{72, kFree},       {360, kFree},      {1918, kFree},      {2113, kFree},
+                                    {4981, kFree},     {672, kKnownSide}, {3178, kKnownSide}, {3723, kBoth},
+                                    {4869, kOneByOne}, {5596, kOneByOne}, {5674, kBoth},      {509, kSplit},
+                                    {4791, kStack},    {3097, kMeet},     {91, kLong}};
+    forRandomPrograms(kPrograms, {.operations = 150}, unchangedBy(test::Nothing::MissThereAndBack), kKnown);
 }
 
 TEST(Invariants, ADropOfAnEmptyNeedleIsNothing) {
