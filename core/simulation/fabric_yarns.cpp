@@ -2,13 +2,14 @@
 
 #include "core/base/segment_distance.h"
 #include "core/fabric/machine_shape.h"
+#include "core/geometry/crossing_audit.h"
 #include "core/geometry/yarn_curve_builder.h"
 #include "core/simulation/fabric_cell.h"
 #include "core/simulation/simulation.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <set>
 
 namespace knittsim::simulation {
 
@@ -25,6 +26,7 @@ constexpr double kLeastYarn = 0.3;  ///< of its share of the curve: spans with h
 constexpr double kLeastDepth = 0.5; ///< stretch along the third axis
 constexpr double kMostDepth = 4;
 constexpr double kBulge = 0.05;        ///< diameters, of the curve beside the chain
+constexpr double kFiner = 0.2;         ///< times as much where that has lost a crossing
 constexpr double kShortest = 0.05;     ///< segments, between two nodes
 constexpr double kNarrowest = 1 / 5.5; ///< wale spacing to start from, loop lengths
 constexpr double kLowest = 1 / 6.5;    ///< course spacing, where the repeat does not tell it
@@ -94,7 +96,8 @@ Eigen::Vector2d drawIn(const Fabric& f, std::span<const yarn::Yarn> yarns, const
 class Laying {
 public:
     Laying(const Fabric& f, YarnCurves curves, double segmentMm, double diameterMm)
-        : m_fabric(f), m_curves(std::move(curves)), m_segmentMm(segmentMm), m_diameterMm(diameterMm) {}
+        : m_fabric(f), m_curves(std::move(curves)), m_segmentMm(segmentMm), m_diameterMm(diameterMm),
+          m_bulge(f.loops.size(), kBulge) {}
 
     const YarnCurves& curves() const { return m_curves; }
 
@@ -116,9 +119,23 @@ public:
 
     void add(std::size_t yarn, FabricYarns& result) const;
 
+    /// The chain is to keep nearer to the curve of a loop.
+    void refine(machine::LoopIndex loop) {
+        if (loop >= 0) {
+            m_bulge[static_cast<std::size_t>(loop)] *= kFiner;
+        }
+    }
+
 private:
     Eigen::Vector3d node(std::int32_t n) const {
         return m_curves.nodes[static_cast<std::size_t>(n)].cast<double>();
+    }
+
+    /// How far a node of the curve may lie beside the chain, mm.
+    double mostBulge(std::int32_t n) const {
+        const PointIndex piece = m_curves.piece[static_cast<std::size_t>(n)];
+        const machine::LoopIndex loop = m_fabric.points[static_cast<std::size_t>(piece)].loop;
+        return m_diameterMm * (loop < 0 ? kBulge : m_bulge[static_cast<std::size_t>(loop)]);
     }
 
     /// By node of the curve: fed yarn from the start of its yarn, mm.
@@ -142,6 +159,7 @@ private:
     YarnCurves m_curves;
     double m_segmentMm;
     double m_diameterMm;
+    std::vector<double> m_bulge; ///< by loop, diameters
 };
 
 std::vector<double> Laying::fedAt(const YarnCurves::Range& yarn) const {
@@ -185,17 +203,17 @@ Laying::Mark Laying::markAt(const YarnCurves::Range& yarn, std::span<const doubl
             way > 0 ? std::clamp((at - fed[i]) / way, 0.0, 1.0) : 0, at};
 }
 
-/// Marks between two, so that no node of the curve lies farther from the chain than kBulge: else a bend that
+/// Marks between two, so that no node of the curve lies farther from the chain than m_bulge: else a bend that
 /// holds another strand might be cut off.
 void Laying::addBetween(const YarnCurves::Range& yarn, std::span<const double> fed, const Mark& begin,
                         const Mark& end, std::vector<Mark>& marks) const {
     const double least = kShortest * m_segmentMm;
     const Eigen::Vector3d a = place(begin);
     const Eigen::Vector3d b = place(end);
-    double most = kBulge * m_diameterMm;
+    double most = 1; // of what it may
     std::int32_t worst = -1;
     for (std::int32_t n = begin.node + 1; n <= end.node; ++n) {
-        const double bulge = closestPoints(a, b, node(n), node(n)).distance;
+        const double bulge = closestPoints(a, b, node(n), node(n)).distance / mostBulge(n);
         if (bulge > most) {
             most = bulge;
             worst = n;
@@ -261,6 +279,42 @@ double depthFor(const Laying& laying, const Eigen::Vector2d& plane, double fedMm
         (laying.curveLength({plane.x(), plane.y(), middle}) < fedMm ? low : high) = middle;
     }
     return 0.5 * (low + high);
+}
+
+void removeChains(FabricYarns& yarns) {
+    yarns.chains.nodes.resize(3, 0);
+    yarns.chains.chains.clear();
+    yarns.chains.restLength.clear();
+    yarns.carrier.clear();
+    yarns.point.clear();
+    yarns.piece.clear();
+    std::ranges::fill(yarns.nodeOfPoint, -1);
+}
+
+/// Chains along all curves; finer ones where a crossing of the fabric would be lost.
+void layAll(const Fabric& f, Laying& laying, FabricYarns& result) {
+    for (std::size_t found = 0;;) {
+        removeChains(result);
+        for (std::size_t yarn = 0; yarn < laying.curves().yarns.size(); ++yarn) {
+            laying.add(yarn, result);
+        }
+        const YarnCurves laid = curvesOf(result, result.chains.start());
+        const geometry::CrossingAudit audit =
+            geometry::auditCrossings(f, laid, geometry::projectCrossings(laid));
+        if (audit.found == audit.expected || audit.found <= found) {
+            return;
+        }
+        found = audit.found;
+        std::set<machine::LoopIndex> loops;
+        for (const geometry::CrossingFault& fault : audit.faults) {
+            if (fault.kind == geometry::CrossingFault::Kind::Missing) {
+                loops.insert({fault.a.loop, fault.b.loop});
+            }
+        }
+        for (const machine::LoopIndex loop : loops) {
+            laying.refine(loop);
+        }
+    }
 }
 
 void hangUp(const Fabric& f, FabricYarns& yarns) {
@@ -334,9 +388,7 @@ FabricYarns layYarns(const Fabric& f, std::span<const yarn::Yarn> yarns, const Y
                   loopLength / layout.nodesPerLoop, result.units.lengthMm);
     const Eigen::Vector2d laid = plane.cwiseProduct(Eigen::Vector2d(layout.wider, layout.higher));
     laying.stretch({laid.x(), laid.y(), depthFor(laying, laid, fed)});
-    for (std::size_t yarn = 0; yarn < laying.curves().yarns.size(); ++yarn) {
-        laying.add(yarn, result);
-    }
+    layAll(f, laying, result);
     hangUp(f, result);
     knotEnds(loopLength / result.units.lengthMm, result);
     return result;
