@@ -4,8 +4,7 @@
 #include "core/fabric/machine_shape.h"
 #include "core/geometry/crossing_audit.h"
 #include "core/geometry/yarn_curve_builder.h"
-#include "core/simulation/fabric_cell.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/start_spacings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +19,6 @@ using fabric::PointIndex;
 using geometry::YarnCurves;
 using physics::Entry;
 
-constexpr float kDeepest = 1.1F;    ///< diameters, for shading
 constexpr int kSamples = 6;         ///< of the curve between two control points
 constexpr double kLeastYarn = 0.3;  ///< of its share of the curve: spans with hardly any yarn
 constexpr double kLeastDepth = 0.5; ///< stretch along the third axis
@@ -28,13 +26,8 @@ constexpr double kMostDepth = 4;
 constexpr double kBulge = 0.05;        ///< diameters, of the curve beside the chain
 constexpr double kFiner = 0.2;         ///< times as much where that has lost a crossing
 constexpr double kShortest = 0.05;     ///< segments, between two nodes
-constexpr double kNarrowest = 1 / 5.5; ///< wale spacing to start from, loop lengths
-constexpr double kLowest = 1 / 6.5;    ///< course spacing, where the repeat does not tell it
 constexpr double kUsualWale = 1 / 4.1; ///< of plain knit (PHYSICS 3), loop lengths
 constexpr double kUsualCourse = 1 / 5.3;
-constexpr std::size_t kLargestCell = 16; ///< stitches of a repeat
-constexpr int kCellEvaluations = 5'000;
-constexpr double kSettleSeconds = 30;                    ///< for the bonding-point model
 constexpr double kGravity = 9.81e-6;                     ///< weight of 1 tex, mN/mm
 constexpr double kClosedLoop = 1 - fabric::kSinkerShare; ///< of a loop length, between its two bases
 
@@ -42,54 +35,6 @@ constexpr double kClosedLoop = 1 - fabric::kSinkerShare; ///< of a loop length, 
 machine::CarrierIndex mostUsedCarrier(const Fabric& f) {
     const auto longest = std::ranges::max_element(f.yarns, {}, &fabric::Yarn::lengthMm);
     return longest == f.yarns.end() ? 0 : longest->carrier;
-}
-
-/// Wale and course spacing of the fabric's repeat, settled as a periodic cell; nothing where there is none or
-/// where it does not settle well.
-std::optional<Eigen::Vector2d> cellSpacings(const Fabric& f, std::span<const yarn::Yarn> yarns,
-                                            const std::function<bool()>* cancelled) {
-    const std::optional<physics::FabricRepeat> found = physics::findFabricRepeat(f);
-    if (!found || found->repeat.pattern.faces.size() > kLargestCell) {
-        return std::nullopt;
-    }
-    FabricCellOptions options;
-    options.relax.mostEvaluations = kCellEvaluations;
-    options.relax.cancelled = cancelled;
-    const FabricCell settled = settleCell(f, *found, yarns, options);
-    const physics::CellShape& cell = settled.cell;
-    if (!physics::isAtRest(cell.relax.verdict) || !cell.faults.empty()) {
-        return std::nullopt;
-    }
-    return settled.units.lengthMm * Eigen::Vector2d(cell.waleSpacing, cell.courseSpacing);
-}
-
-/// Factors along x and y from the machine's shape to the spacings that the layout asks for.
-Eigen::Vector2d drawIn(const Fabric& f, std::span<const yarn::Yarn> yarns, const YarnLayout& layout) {
-    const geometry::Measurement machine = geometry::measure(f, fabric::machinePlaces(f));
-    double wale = layout.waleSpacingMm;
-    double course = layout.courseSpacingMm;
-    const auto isGiven = [&] { return wale > 0 && course > 0; };
-    if (const auto cell = isGiven() ? std::nullopt : cellSpacings(f, yarns, layout.cancelled)) {
-        wale = cell->x();
-        course = cell->y();
-    }
-    if (!isGiven()) {
-        Simulation net;
-        net.apply(command::Load{
-            .fabric = std::make_shared<Fabric>(f), .yarns = {yarns.begin(), yarns.end()}, .generation = 1});
-        net.apply(command::Start{});
-        net.advance(1e3 * kSettleSeconds, layout.cancelled);
-        const geometry::Measurement rest = geometry::measure(f, net.frame().positions);
-        wale = wale > 0 ? wale : rest.waleSpacingMm;
-        // The net of bonding points has no thickness; yarn does not come out of so narrow a start.
-        course = course > 0 ? course : std::max(rest.courseSpacingMm, kLowest * fabric::meanLoopLength(f));
-        wale = wale > 0 ? wale : rest.waleSpacingMm;
-    }
-    if (!(layout.waleSpacingMm > 0)) {
-        wale = std::max(wale, kNarrowest * fabric::meanLoopLength(f));
-    }
-    const auto factor = [](double to, double from) { return to > 0 && from > 0 ? to / from : 1.0; };
-    return {factor(wale, machine.waleSpacingMm), factor(course, machine.courseSpacingMm)};
 }
 
 /// A curve with its yarn: arc length is mapped to fed yarn span by span.
@@ -445,61 +390,6 @@ FabricYarns withHalfTheNodes(const Fabric& f, const FabricYarns& yarns, const ph
     hangUp(f, result);
     knotEnds(fabric::meanLoopLength(f) / result.units.lengthMm, result);
     return result;
-}
-
-YarnCurves curvesOf(const FabricYarns& yarns, const physics::Vector& x) {
-    YarnCurves curves;
-    const auto nodes = static_cast<std::size_t>(yarns.chains.nodeCount());
-    curves.nodes.reserve(nodes);
-    curves.arc.reserve(nodes);
-    curves.point = yarns.point;
-    curves.piece = yarns.piece;
-    for (std::size_t c = 0; c < yarns.chains.chains.size(); ++c) {
-        const physics::Chain& chain = yarns.chains.chains[c];
-        curves.yarns.push_back({chain.first, chain.count, yarns.carrier[c]});
-        double arc = 0;
-        for (Entry e = chain.first; e < chain.first + chain.count; ++e) {
-            const Eigen::Vector3d place = yarns.units.lengthMm * physics::at(x, e);
-            arc += e == chain.first
-                       ? 0
-                       : yarns.units.lengthMm * (physics::at(x, e) - physics::at(x, e - 1)).norm();
-            curves.nodes.push_back(place.cast<float>());
-            curves.arc.push_back(static_cast<float>(arc));
-            curves.normal.emplace_back(0.0F, 0.0F, 1.0F);
-        }
-    }
-    // What lies deep is dark; a thick fabric is not black for that.
-    float most = 0;
-    for (const Vec3f& node : curves.nodes) {
-        most = std::max(most, std::abs(node.z()));
-    }
-    const float deepest = kDeepest * static_cast<float>(yarns.units.lengthMm);
-    const float share = most > deepest ? deepest / most : 1;
-    for (const Vec3f& node : curves.nodes) {
-        curves.height.push_back(share * node.z());
-    }
-    return curves;
-}
-
-std::vector<float> entryPositions(const Fabric& f, const FabricYarns& yarns, const physics::Vector& x) {
-    std::vector<float> positions;
-    positions.reserve(3 * static_cast<std::size_t>(f.entryCount));
-    for (fabric::EntryIndex entry = 0; entry < f.entryCount; ++entry) {
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        int count = 0;
-        for (const PointIndex p : f.at(entry)) {
-            const Entry node = yarns.nodeOfPoint[static_cast<std::size_t>(p)];
-            if (node >= 0) {
-                sum += physics::at(x, node);
-                ++count;
-            }
-        }
-        const Eigen::Vector3d place = yarns.units.lengthMm / std::max(1, count) * sum;
-        for (Eigen::Index i = 0; i < 3; ++i) {
-            positions.push_back(static_cast<float>(place[i]));
-        }
-    }
-    return positions;
 }
 
 } // namespace knittsim::simulation
