@@ -93,10 +93,10 @@ void settleTightness(benchmark::State& state, bool rough) {
     };
     for (auto _ : state) {
         const double begin = cpuSeconds();
-        const CellShape wide = from(1.1, 1.1);
+        const CellShape wide = from(1.15, 0.95);
         const double seconds = cpuSeconds() - begin;
         report(state, wide, seconds);
-        const CellShape narrow = from(0.9, 0.9);
+        const CellShape narrow = from(0.85, 1.05);
         state.counters["kc_of_kw"] = wide.waleSpacing / wide.courseSpacing;
         state.counters["wale_of_other"] = narrow.waleSpacing / wide.waleSpacing;
         state.counters["course_of_other"] = narrow.courseSpacing / wide.courseSpacing;

@@ -11,7 +11,8 @@ namespace knittsim::physics {
 
 struct CellOptions {
     KnitCellStart start;
-    /// The first curve is so many times as wide and high as `start`, or the machine, has it.
+    /// The first curve is so many times as wide and high as `start`, or the machine, has it. Its yarn gives
+    /// the size, so only their ratio counts.
     double wider = 1;
     double higher = 1;
     YarnRelaxOptions relax;
