@@ -2,13 +2,13 @@
 
 #include "core/base/segment_distance.h"
 #include "core/fabric/machine_shape.h"
+#include "core/geometry/crossing_audit.h"
 #include "core/geometry/yarn_curve_builder.h"
-#include "core/simulation/fabric_cell.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/start_spacings.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <set>
 
 namespace knittsim::simulation {
 
@@ -19,20 +19,15 @@ using fabric::PointIndex;
 using geometry::YarnCurves;
 using physics::Entry;
 
-constexpr float kDeepest = 1.1F;    ///< diameters, for shading
 constexpr int kSamples = 6;         ///< of the curve between two control points
 constexpr double kLeastYarn = 0.3;  ///< of its share of the curve: spans with hardly any yarn
 constexpr double kLeastDepth = 0.5; ///< stretch along the third axis
 constexpr double kMostDepth = 4;
 constexpr double kBulge = 0.05;        ///< diameters, of the curve beside the chain
+constexpr double kFiner = 0.2;         ///< times as much where that has lost a crossing
 constexpr double kShortest = 0.05;     ///< segments, between two nodes
-constexpr double kNarrowest = 1 / 5.5; ///< wale spacing to start from, loop lengths
-constexpr double kLowest = 1 / 6.5;    ///< course spacing, where the repeat does not tell it
 constexpr double kUsualWale = 1 / 4.1; ///< of plain knit (PHYSICS 3), loop lengths
 constexpr double kUsualCourse = 1 / 5.3;
-constexpr std::size_t kLargestCell = 16; ///< stitches of a repeat
-constexpr int kCellEvaluations = 5'000;
-constexpr double kSettleSeconds = 30;                    ///< for the bonding-point model
 constexpr double kGravity = 9.81e-6;                     ///< weight of 1 tex, mN/mm
 constexpr double kClosedLoop = 1 - fabric::kSinkerShare; ///< of a loop length, between its two bases
 
@@ -42,59 +37,12 @@ machine::CarrierIndex mostUsedCarrier(const Fabric& f) {
     return longest == f.yarns.end() ? 0 : longest->carrier;
 }
 
-/// Wale and course spacing of the fabric's repeat, settled as a periodic cell; nothing where there is none or
-/// where it does not settle well.
-std::optional<Eigen::Vector2d> cellSpacings(const Fabric& f, std::span<const yarn::Yarn> yarns,
-                                            const std::function<bool()>* cancelled) {
-    const std::optional<physics::FabricRepeat> found = physics::findFabricRepeat(f);
-    if (!found || found->repeat.pattern.faces.size() > kLargestCell) {
-        return std::nullopt;
-    }
-    FabricCellOptions options;
-    options.relax.mostEvaluations = kCellEvaluations;
-    options.relax.cancelled = cancelled;
-    const FabricCell settled = settleCell(f, *found, yarns, options);
-    const physics::CellShape& cell = settled.cell;
-    if (!physics::isAtRest(cell.relax.verdict) || !cell.faults.empty()) {
-        return std::nullopt;
-    }
-    return settled.units.lengthMm * Eigen::Vector2d(cell.waleSpacing, cell.courseSpacing);
-}
-
-/// Factors along x and y from the machine's shape to the spacings that the layout asks for.
-Eigen::Vector2d drawIn(const Fabric& f, std::span<const yarn::Yarn> yarns, const YarnLayout& layout) {
-    const geometry::Measurement machine = geometry::measure(f, fabric::machinePlaces(f));
-    double wale = layout.waleSpacingMm;
-    double course = layout.courseSpacingMm;
-    const auto isGiven = [&] { return wale > 0 && course > 0; };
-    if (const auto cell = isGiven() ? std::nullopt : cellSpacings(f, yarns, layout.cancelled)) {
-        wale = cell->x();
-        course = cell->y();
-    }
-    if (!isGiven()) {
-        Simulation net;
-        net.apply(command::Load{
-            .fabric = std::make_shared<Fabric>(f), .yarns = {yarns.begin(), yarns.end()}, .generation = 1});
-        net.apply(command::Start{});
-        net.advance(1e3 * kSettleSeconds, layout.cancelled);
-        const geometry::Measurement rest = geometry::measure(f, net.frame().positions);
-        wale = wale > 0 ? wale : rest.waleSpacingMm;
-        // The net of bonding points has no thickness; yarn does not come out of so narrow a start.
-        course = course > 0 ? course : std::max(rest.courseSpacingMm, kLowest * fabric::meanLoopLength(f));
-        wale = wale > 0 ? wale : rest.waleSpacingMm;
-    }
-    if (!(layout.waleSpacingMm > 0)) {
-        wale = std::max(wale, kNarrowest * fabric::meanLoopLength(f));
-    }
-    const auto factor = [](double to, double from) { return to > 0 && from > 0 ? to / from : 1.0; };
-    return {factor(wale, machine.waleSpacingMm), factor(course, machine.courseSpacingMm)};
-}
-
 /// A curve with its yarn: arc length is mapped to fed yarn span by span.
 class Laying {
 public:
     Laying(const Fabric& f, YarnCurves curves, double segmentMm, double diameterMm)
-        : m_fabric(f), m_curves(std::move(curves)), m_segmentMm(segmentMm), m_diameterMm(diameterMm) {}
+        : m_fabric(f), m_curves(std::move(curves)), m_segmentMm(segmentMm), m_diameterMm(diameterMm),
+          m_bulge(f.loops.size(), kBulge) {}
 
     const YarnCurves& curves() const { return m_curves; }
 
@@ -116,9 +64,23 @@ public:
 
     void add(std::size_t yarn, FabricYarns& result) const;
 
+    /// The chain is to keep nearer to the curve of a loop.
+    void refine(machine::LoopIndex loop) {
+        if (loop >= 0) {
+            m_bulge[static_cast<std::size_t>(loop)] *= kFiner;
+        }
+    }
+
 private:
     Eigen::Vector3d node(std::int32_t n) const {
         return m_curves.nodes[static_cast<std::size_t>(n)].cast<double>();
+    }
+
+    /// How far a node of the curve may lie beside the chain, mm.
+    double mostBulge(std::int32_t n) const {
+        const PointIndex piece = m_curves.piece[static_cast<std::size_t>(n)];
+        const machine::LoopIndex loop = m_fabric.points[static_cast<std::size_t>(piece)].loop;
+        return m_diameterMm * (loop < 0 ? kBulge : m_bulge[static_cast<std::size_t>(loop)]);
     }
 
     /// By node of the curve: fed yarn from the start of its yarn, mm.
@@ -142,6 +104,7 @@ private:
     YarnCurves m_curves;
     double m_segmentMm;
     double m_diameterMm;
+    std::vector<double> m_bulge; ///< by loop, diameters
 };
 
 std::vector<double> Laying::fedAt(const YarnCurves::Range& yarn) const {
@@ -185,17 +148,17 @@ Laying::Mark Laying::markAt(const YarnCurves::Range& yarn, std::span<const doubl
             way > 0 ? std::clamp((at - fed[i]) / way, 0.0, 1.0) : 0, at};
 }
 
-/// Marks between two, so that no node of the curve lies farther from the chain than kBulge: else a bend that
+/// Marks between two, so that no node of the curve lies farther from the chain than m_bulge: else a bend that
 /// holds another strand might be cut off.
 void Laying::addBetween(const YarnCurves::Range& yarn, std::span<const double> fed, const Mark& begin,
                         const Mark& end, std::vector<Mark>& marks) const {
     const double least = kShortest * m_segmentMm;
     const Eigen::Vector3d a = place(begin);
     const Eigen::Vector3d b = place(end);
-    double most = kBulge * m_diameterMm;
+    double most = 1; // of what it may
     std::int32_t worst = -1;
     for (std::int32_t n = begin.node + 1; n <= end.node; ++n) {
-        const double bulge = closestPoints(a, b, node(n), node(n)).distance;
+        const double bulge = closestPoints(a, b, node(n), node(n)).distance / mostBulge(n);
         if (bulge > most) {
             most = bulge;
             worst = n;
@@ -261,6 +224,42 @@ double depthFor(const Laying& laying, const Eigen::Vector2d& plane, double fedMm
         (laying.curveLength({plane.x(), plane.y(), middle}) < fedMm ? low : high) = middle;
     }
     return 0.5 * (low + high);
+}
+
+void removeChains(FabricYarns& yarns) {
+    yarns.chains.nodes.resize(3, 0);
+    yarns.chains.chains.clear();
+    yarns.chains.restLength.clear();
+    yarns.carrier.clear();
+    yarns.point.clear();
+    yarns.piece.clear();
+    std::ranges::fill(yarns.nodeOfPoint, -1);
+}
+
+/// Chains along all curves; finer ones where a crossing of the fabric would be lost.
+void layAll(const Fabric& f, Laying& laying, FabricYarns& result) {
+    for (std::size_t found = 0;;) {
+        removeChains(result);
+        for (std::size_t yarn = 0; yarn < laying.curves().yarns.size(); ++yarn) {
+            laying.add(yarn, result);
+        }
+        const YarnCurves laid = curvesOf(result, result.chains.start());
+        const geometry::CrossingAudit audit =
+            geometry::auditCrossings(f, laid, geometry::projectCrossings(laid));
+        if (audit.found == audit.expected || audit.found <= found) {
+            return;
+        }
+        found = audit.found;
+        std::set<machine::LoopIndex> loops;
+        for (const geometry::CrossingFault& fault : audit.faults) {
+            if (fault.kind == geometry::CrossingFault::Kind::Missing) {
+                loops.insert({fault.a.loop, fault.b.loop});
+            }
+        }
+        for (const machine::LoopIndex loop : loops) {
+            laying.refine(loop);
+        }
+    }
 }
 
 void hangUp(const Fabric& f, FabricYarns& yarns) {
@@ -334,9 +333,7 @@ FabricYarns layYarns(const Fabric& f, std::span<const yarn::Yarn> yarns, const Y
                   loopLength / layout.nodesPerLoop, result.units.lengthMm);
     const Eigen::Vector2d laid = plane.cwiseProduct(Eigen::Vector2d(layout.wider, layout.higher));
     laying.stretch({laid.x(), laid.y(), depthFor(laying, laid, fed)});
-    for (std::size_t yarn = 0; yarn < laying.curves().yarns.size(); ++yarn) {
-        laying.add(yarn, result);
-    }
+    layAll(f, laying, result);
     hangUp(f, result);
     knotEnds(loopLength / result.units.lengthMm, result);
     return result;
@@ -393,61 +390,6 @@ FabricYarns withHalfTheNodes(const Fabric& f, const FabricYarns& yarns, const ph
     hangUp(f, result);
     knotEnds(fabric::meanLoopLength(f) / result.units.lengthMm, result);
     return result;
-}
-
-YarnCurves curvesOf(const FabricYarns& yarns, const physics::Vector& x) {
-    YarnCurves curves;
-    const auto nodes = static_cast<std::size_t>(yarns.chains.nodeCount());
-    curves.nodes.reserve(nodes);
-    curves.arc.reserve(nodes);
-    curves.point = yarns.point;
-    curves.piece = yarns.piece;
-    for (std::size_t c = 0; c < yarns.chains.chains.size(); ++c) {
-        const physics::Chain& chain = yarns.chains.chains[c];
-        curves.yarns.push_back({chain.first, chain.count, yarns.carrier[c]});
-        double arc = 0;
-        for (Entry e = chain.first; e < chain.first + chain.count; ++e) {
-            const Eigen::Vector3d place = yarns.units.lengthMm * physics::at(x, e);
-            arc += e == chain.first
-                       ? 0
-                       : yarns.units.lengthMm * (physics::at(x, e) - physics::at(x, e - 1)).norm();
-            curves.nodes.push_back(place.cast<float>());
-            curves.arc.push_back(static_cast<float>(arc));
-            curves.normal.emplace_back(0.0F, 0.0F, 1.0F);
-        }
-    }
-    // What lies deep is dark; a thick fabric is not black for that.
-    float most = 0;
-    for (const Vec3f& node : curves.nodes) {
-        most = std::max(most, std::abs(node.z()));
-    }
-    const float deepest = kDeepest * static_cast<float>(yarns.units.lengthMm);
-    const float share = most > deepest ? deepest / most : 1;
-    for (const Vec3f& node : curves.nodes) {
-        curves.height.push_back(share * node.z());
-    }
-    return curves;
-}
-
-std::vector<float> entryPositions(const Fabric& f, const FabricYarns& yarns, const physics::Vector& x) {
-    std::vector<float> positions;
-    positions.reserve(3 * static_cast<std::size_t>(f.entryCount));
-    for (fabric::EntryIndex entry = 0; entry < f.entryCount; ++entry) {
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        int count = 0;
-        for (const PointIndex p : f.at(entry)) {
-            const Entry node = yarns.nodeOfPoint[static_cast<std::size_t>(p)];
-            if (node >= 0) {
-                sum += physics::at(x, node);
-                ++count;
-            }
-        }
-        const Eigen::Vector3d place = yarns.units.lengthMm / std::max(1, count) * sum;
-        for (Eigen::Index i = 0; i < 3; ++i) {
-            positions.push_back(static_cast<float>(place[i]));
-        }
-    }
-    return positions;
 }
 
 } // namespace knittsim::simulation

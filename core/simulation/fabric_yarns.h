@@ -54,7 +54,7 @@ struct YarnLayout {
 /// The exact curves of the machine's shape, drawn in to the given spacings: one stretch along each axis of
 /// space, so every strand stays on its side of every other one. The third axis is stretched such that the
 /// curves are as long as the yarn that the machine fed. Nodes lie evenly along each yarn, with more where the
-/// curve bends away from them. `yarns` by carrier;
+/// curve bends away from them and where the chains would lose a crossing of the fabric. `yarns` by carrier;
 /// carriers beyond its end get a default yarn.
 FabricYarns layYarns(const fabric::Fabric& fabric, std::span<const yarn::Yarn> yarns,
                      const YarnLayout& layout = {});

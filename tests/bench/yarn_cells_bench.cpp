@@ -1,4 +1,5 @@
 #include "core/fabric/fabric_builder.h"
+#include "core/pattern/compile.h"
 #include "core/pattern/swatch.h"
 #include "core/physics/yarn_model/fabric_repeat.h"
 #include "core/physics/yarn_model/yarn_units.h"
@@ -8,6 +9,7 @@
 
 #include <cmath>
 #include <ctime>
+#include <random>
 #include <string>
 
 /// Repeats of knit and purl settled as periodic cells of the yarn model: work in evaluations of forces and in
@@ -78,9 +80,10 @@ void settleTightness(benchmark::State& state, bool rough) {
     const yarn::Yarn yarn;
     const double loopLength = std::sqrt(yarn.tex) * 10 / static_cast<double>(state.range(0));
     const physics::YarnUnits units = physics::unitsOf(yarn);
-    const auto from = [&](double widthFactor, double heightFactor) {
+    const auto from = [&](double wider, double higher) {
         physics::CellOptions options;
-        options.start = {.widthFactor = widthFactor, .heightFactor = heightFactor};
+        options.wider = wider;
+        options.higher = higher;
         options.relax.residual = 2e-4;
         if (rough) {
             options.machine = physics::machineHold(machine::genericProfile().pitchMm(), units);
@@ -90,11 +93,54 @@ void settleTightness(benchmark::State& state, bool rough) {
     };
     for (auto _ : state) {
         const double begin = cpuSeconds();
-        const CellShape wide = from(3.6, 5.0);
+        const CellShape wide = from(1.15, 0.95);
         const double seconds = cpuSeconds() - begin;
         report(state, wide, seconds);
-        const CellShape narrow = from(4.4, 5.8);
+        const CellShape narrow = from(0.85, 1.05);
         state.counters["kc_of_kw"] = wide.waleSpacing / wide.courseSpacing;
+        state.counters["wale_of_other"] = narrow.waleSpacing / wide.waleSpacing;
+        state.counters["course_of_other"] = narrow.courseSpacing / wide.courseSpacing;
+    }
+}
+
+/// Random knit and purl, 8 x 8, fed and let go by our machine, from a wide, low and a narrow, high first
+/// curve. The number is that of the cell.
+void settleRandom(benchmark::State& state) {
+    constexpr int kSide = 8;
+    std::mt19937 random(static_cast<std::mt19937::result_type>(state.range(0)));
+    pattern::Chart chart = pattern::plainChart(2 * kSide + 2, 2 * kSide + 2);
+    for (int course = 0; course < chart.height(); ++course) {
+        for (int wale = 0; wale < chart.width; ++wale) {
+            const bool first = course < kSide && wale < kSide;
+            chart.at(wale, course).stitch =
+                first ? (random() % 2 == 0 ? pattern::Stitch::Knit : pattern::Stitch::Purl)
+                      : chart.at(wale % kSide, course % kSide).stitch;
+        }
+    }
+    const auto program = pattern::compile(chart, {.castOn = pattern::CastOn::Open});
+    const machine::Timeline timeline(program.value(), machine::genericProfile());
+    const auto found = physics::findFabricRepeat(fabric::buildFabric(timeline));
+    const yarn::Yarn yarn;
+    const physics::YarnUnits units = physics::unitsOf(yarn);
+    std::vector<double> lengths = found->repeat.loopLengths;
+    for (double& l : lengths) {
+        l /= units.lengthMm;
+    }
+    const auto from = [&](double wider, double higher) {
+        physics::CellOptions options;
+        options.wider = wider;
+        options.higher = higher;
+        options.machine = physics::machineHold(machine::genericProfile().pitchMm(), units);
+        return relaxCell(found->repeat.pattern, lengths, physics::toRod(yarn, units), options);
+    };
+    for (auto _ : state) {
+        const double begin = cpuSeconds();
+        const CellShape wide = from(1.15, 0.95);
+        const double seconds = cpuSeconds() - begin;
+        report(state, wide, seconds);
+        const CellShape narrow = from(0.85, 1.05);
+        state.counters["stitches"] = static_cast<double>(lengths.size());
+        state.counters["faults_of_other"] = static_cast<double>(narrow.faults.size());
         state.counters["wale_of_other"] = narrow.waleSpacing / wide.waleSpacing;
         state.counters["course_of_other"] = narrow.courseSpacing / wide.courseSpacing;
     }
@@ -161,6 +207,8 @@ BENCHMARK_CAPTURE(settleTightness, without_friction, false)
     ->Arg(16)
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond);
+
+BENCHMARK(settleRandom)->DenseRange(1, 20)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 const bool kRegistered = [] {
     for (const char* id : {"newton-cg", "fire", "l-bfgs"}) {

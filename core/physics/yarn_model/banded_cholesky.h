@@ -37,7 +37,6 @@ private:
         return m_band[static_cast<std::size_t>(row * (m_width + 1) + column - row + m_width)];
     }
     Eigen::Index place(Entry node) const;
-    void solveOpen(double* y) const;
     Vector folded(const Eigen::Ref<const Vector>& v) const;
 
     Entry m_nodeCount;

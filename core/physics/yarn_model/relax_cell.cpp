@@ -32,6 +32,8 @@ KnitCellStart startOf(const CellOptions& options, double loopLength) {
         start.widthFactor = loopLength / options.machine->waleSpacing;
         start.heightFactor = 1.25 * start.widthFactor;
     }
+    start.widthFactor /= options.wider;
+    start.heightFactor /= options.higher;
     return start;
 }
 

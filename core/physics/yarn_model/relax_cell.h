@@ -11,6 +11,10 @@ namespace knittsim::physics {
 
 struct CellOptions {
     KnitCellStart start;
+    /// The first curve is so many times as wide and high as `start`, or the machine, has it. Its yarn gives
+    /// the size, so only their ratio counts.
+    double wider = 1;
+    double higher = 1;
     YarnRelaxOptions relax;
     /// Pull to the middle plane, by length of yarn and distance, EI/d^4: a fabric that lies flat. 0:
     /// floating.

@@ -2,6 +2,7 @@
 
 #include "core/physics/yarn_model/chains.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -25,6 +26,10 @@ template<std::size_t Count> struct Stencil {
         for (std::size_t k = 0; k < Count; ++k) {
             addAt(y, cell, places[k], weights[k] * value);
         }
+    }
+
+    bool hasImages() const {
+        return std::any_of(places.begin(), places.end(), [](const Place& p) { return p.isImage(); });
     }
 
     /// Its part that moves with the cell: J x = ... + reach * x(cell), by coordinate.
@@ -59,12 +64,12 @@ public:
     std::vector<Part>& parts() { return m_parts; }
 
     void multiply(const Vector& v, Vector& y) const {
-        if (m_cell < 0) {
-            multiplyWithoutCell(v, y);
-            return;
-        }
         for (const Part& part : m_parts) {
-            part.stencil.spread(part.stiffness * part.stencil.of(v, m_cell), y, m_cell);
+            if (m_cell >= 0 && part.stencil.hasImages()) {
+                part.stencil.spread(part.stiffness * part.stencil.of(v, m_cell), y, m_cell);
+            } else {
+                multiplyWithoutImages(part, v, y);
+            }
         }
     }
 
@@ -82,30 +87,27 @@ public:
     }
 
 private:
-    /// Most of the work of a solver: no images to think of.
-    void multiplyWithoutCell(const Vector& v, Vector& y) const {
+    /// Most of the work of a solver.
+    static void multiplyWithoutImages(const Part& part, const Vector& v, Vector& y) {
         const double* from = v.data();
         double* to = y.data();
-        for (const Part& part : m_parts) {
-            double j[3] = {0, 0, 0};
-            for (std::size_t k = 0; k < Count; ++k) {
-                const double* p = from + std::ptrdiff_t{3} * part.stencil.places[k].node;
-                const double w = part.stencil.weights[k];
-                j[0] += w * p[0];
-                j[1] += w * p[1];
-                j[2] += w * p[2];
-            }
-            const double* s = part.stiffness.data(); // symmetric
-            const double f[3] = {s[0] * j[0] + s[1] * j[1] + s[2] * j[2],
-                                 s[3] * j[0] + s[4] * j[1] + s[5] * j[2],
-                                 s[6] * j[0] + s[7] * j[1] + s[8] * j[2]};
-            for (std::size_t k = 0; k < Count; ++k) {
-                double* p = to + std::ptrdiff_t{3} * part.stencil.places[k].node;
-                const double w = part.stencil.weights[k];
-                p[0] += w * f[0];
-                p[1] += w * f[1];
-                p[2] += w * f[2];
-            }
+        double j[3] = {0, 0, 0};
+        for (std::size_t k = 0; k < Count; ++k) {
+            const double* p = from + std::ptrdiff_t{3} * part.stencil.places[k].node;
+            const double w = part.stencil.weights[k];
+            j[0] += w * p[0];
+            j[1] += w * p[1];
+            j[2] += w * p[2];
+        }
+        const double* s = part.stiffness.data(); // symmetric
+        const double f[3] = {s[0] * j[0] + s[1] * j[1] + s[2] * j[2], s[3] * j[0] + s[4] * j[1] + s[5] * j[2],
+                             s[6] * j[0] + s[7] * j[1] + s[8] * j[2]};
+        for (std::size_t k = 0; k < Count; ++k) {
+            double* p = to + std::ptrdiff_t{3} * part.stencil.places[k].node;
+            const double w = part.stencil.weights[k];
+            p[0] += w * f[0];
+            p[1] += w * f[1];
+            p[2] += w * f[2];
         }
     }
 

@@ -1,5 +1,7 @@
 #include "core/fabric/fabric_builder.h"
+#include "core/fabric/machine_shape.h"
 #include "core/formats/formats.h"
+#include "core/geometry/crossing_audit.h"
 #include "core/pattern/swatch.h"
 #include "core/simulation/yarn_settling.h"
 #include "tests/support/machine_data.h"
@@ -39,6 +41,28 @@ INSTANTIATE_TEST_SUITE_P(Files, RealPrograms,
                                            "kniterate-backend/position-center.k",
                                            "kniterate-backend/split.k"),
                          [](const auto& info) { return "File" + std::to_string(info.index); });
+
+/// Plated: two yarns run side by side, and a chain of evenly spaced nodes alone would lose some crossings.
+TEST(YarnAudit, ChainsKeepEveryCrossingOfACurve) {
+    const std::filesystem::path file = test::machineData() / "knittingutils" / "plating.k";
+    if (!std::filesystem::exists(file)) {
+        GTEST_SKIP() << "no machine data";
+    }
+    const auto program = formats::readProgram(file);
+    ASSERT_TRUE(program);
+    const fabric::Fabric f =
+        fabric::buildFabric(machine::Timeline(program.value(), machine::genericProfile()));
+    const double loopLength = fabric::meanLoopLength(f);
+    YarnLayout layout;
+    layout.nodesPerLoop = 36;
+    layout.waleSpacingMm = loopLength / 4.1;
+    layout.courseSpacingMm = loopLength / 5.3;
+    const FabricYarns yarns = layYarns(f, {}, layout);
+    const geometry::YarnCurves laid = curvesOf(yarns, yarns.chains.start());
+    const geometry::CrossingAudit audit = geometry::auditCrossings(f, laid, geometry::projectCrossings(laid));
+    EXPECT_EQ(audit.found, audit.expected);
+    EXPECT_GT(audit.expected, 100'000U);
+}
 
 /// Curled as far as it goes: the shape alone no longer shows how its loops are knotted, the way to it does.
 TEST(YarnAudit, KnowsOfACurledFabricThatNothingPassed) {
