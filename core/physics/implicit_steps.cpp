@@ -52,7 +52,7 @@ StepReport ImplicitSteps::tryStep(Motion& motion, const Interrupt& interrupt) {
     Vector move;
     const CgResult solve = conjugateGradients(
         multiply, [&](const Vector& r, Vector& z) { m_preconditioner->apply(r, z); }, Vector(-m_gradient),
-        move, kForcing, kMostIterations, interrupt);
+        move, kForcing, kMostIterations, interrupt, CgNorm::Preconditioner);
     m_model->mask(move);
     report.evaluations += solve.iterations;
 

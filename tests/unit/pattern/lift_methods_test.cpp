@@ -29,12 +29,10 @@ std::vector<Kind> kinds() {
         {"OneBedIntarsia", BedUse::Single, {Intarsia}, worked},
         {"OneBedBothMethods", BedUse::Single, {Float, Intarsia}, worked},
         {"TwoBedsFloat", BedUse::Double, {Float}, all},
-        {"TwoBedsIntarsia",
-         BedUse::Double,
-         {Intarsia},
-         noTuck}, // at a border it may be the join of two zones
+        {"TwoBedsIntarsia", BedUse::Double, {Intarsia}, noTuck}, // a tuck may be the join of two zones
         {"TwoBedsBirdseye", BedUse::Double, {Birdseye}, all},
         {"TwoBedsLadderBack", BedUse::Double, {LadderBack}, all},
+        {"TwoBedsWithAndWithoutBack", BedUse::Double, {Float, Birdseye, LadderBack}, all},
         {"TwoBedsAllMethodsKnitAndPurl", BedUse::Double, {Float, Intarsia, Birdseye, LadderBack}, knitPurl},
     };
 }
