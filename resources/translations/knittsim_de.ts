@@ -927,6 +927,10 @@
         <source>Yarn stopped</source>
         <translation>Garn angehalten</translation>
     </message>
+    <message>
+        <source>Yarn hardly moves any more</source>
+        <translation>Garn bewegt sich kaum noch</translation>
+    </message>
 </context>
 <context>
     <name>knittsim::ui::AboutDialog</name>

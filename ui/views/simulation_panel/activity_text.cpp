@@ -73,7 +73,10 @@ QString activityWord(const document::Document& document) {
         return wordOf(document.activity());
     }
     const document::YarnRun& run = document.yarnRun();
-    return run.running() ? tr("Settling as yarn") : isAtRest(run) ? tr("Yarn at rest") : tr("Yarn stopped");
+    return run.running()     ? tr("Settling as yarn")
+           : !isAtRest(run)  ? tr("Yarn stopped")
+           : isBalanced(run) ? tr("Yarn at rest")
+                             : tr("Yarn hardly moves any more");
 }
 
 QString activityText(const document::Document& document) {

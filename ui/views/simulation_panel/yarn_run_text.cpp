@@ -48,6 +48,10 @@ bool isAtRest(const document::YarnRun& run) {
     return shape && shape->finished && physics::isAtRest(shape->verdict);
 }
 
+bool isBalanced(const document::YarnRun& run) {
+    return isAtRest(run) && run.shape()->verdict == physics::StopRule::Verdict::ResidualReached;
+}
+
 QString yarnRunText(const document::YarnRun& run) {
     const auto shape = run.shape();
     if (!run.problem().isEmpty()) {

@@ -9,7 +9,8 @@ namespace knittsim::ui {
 /// One short line: how far the yarn is, or what has come out.
 QString yarnRunText(const document::YarnRun& run);
 
-bool isAtRest(const document::YarnRun& run); ///< it has ended, and well
+bool isAtRest(const document::YarnRun& run);   ///< it has ended, and well
+bool isBalanced(const document::YarnRun& run); ///< and because its forces are in balance
 
 /// Sizes and audit of a finished run, for a tooltip; else empty.
 QString yarnRunDetails(const document::YarnRun& run);

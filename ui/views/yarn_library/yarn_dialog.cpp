@@ -71,8 +71,9 @@ double densityOf(const QString& fibre) {
     return kFibres[0].density;
 }
 
-QString text(double value) {
-    return QString::number(value, 'g', 5);
+/// As numberOf() reads it, with the decimal point of the user's language.
+QString text(double value, char format = 'g', int digits = 5) {
+    return QString::number(value, format, digits).replace(u'.', QLocale().decimalPoint());
 }
 
 } // namespace
@@ -241,7 +242,7 @@ void YarnDialog::computeDiameters() {
     const double density = densityOf(m_fibre->currentText());
     const auto compute = [&](const char* key, double part) {
         m_fields[QString::fromLatin1(key)].edit->setText(
-            QString::number(yarn::diameterMm(tex(), density, part), 'f', 3));
+            text(yarn::diameterMm(tex(), density, part), 'f', 3));
         m_sources[key] = QStringLiteral("formula 0.03568 sqrt(tex / (rho phi)) mm, rho = %1 g/cm3, phi = %2")
                              .arg(density)
                              .arg(part)
