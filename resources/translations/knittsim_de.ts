@@ -704,8 +704,8 @@
         <translation>Als Garn entspannen</translation>
     </message>
     <message>
-        <source>Settle the whole fabric as real yarn, with thickness, bending and friction; some seconds for a thousand stitches</source>
-        <translation>Entspannt das ganze Gestrick als wirkliches Garn, mit Dicke, Biegung und Reibung; einige Sekunden für tausend Maschen</translation>
+        <source>Settle the whole fabric as real yarn, with thickness, bending and friction; up to a minute for a thousand stitches</source>
+        <translation>Entspannt das ganze Gestrick als wirkliches Garn, mit Dicke, Biegung und Reibung; bis zu einer Minute für tausend Maschen</translation>
     </message>
     <message>
         <source>no twist</source>

@@ -103,7 +103,7 @@ QString surroundingsPurpose(const simulation::SurroundingsInfo& info) {
 
 QString settleYarnHelp() {
     return tr(
-        "Settle the whole fabric as real yarn, with thickness, bending and friction; some seconds for a "
+        "Settle the whole fabric as real yarn, with thickness, bending and friction; up to a minute for a "
         "thousand stitches");
 }
 
