@@ -74,6 +74,18 @@ void settlePlain(benchmark::State& state, const char* integrator) {
     }
 }
 
+/// A cell from a wide, low and from a narrow, high first curve: from(wider, higher).
+template<class From> void settleFromBoth(benchmark::State& state, const From& from) {
+    const double begin = cpuSeconds();
+    const CellShape wide = from(1.15, 0.95);
+    const double seconds = cpuSeconds() - begin;
+    report(state, wide, seconds);
+    const CellShape narrow = from(0.85, 1.05);
+    state.counters["faults_of_other"] = static_cast<double>(narrow.faults.size());
+    state.counters["wale_of_other"] = narrow.waleSpacing / wide.waleSpacing;
+    state.counters["course_of_other"] = narrow.courseSpacing / wide.courseSpacing;
+}
+
 /// Plain knit of a tightness factor (sqrt(tex) / loop length in mm, in tenths), off the machine, from a wide
 /// and from a narrow first curve; without friction the first curve is all that it comes from.
 void settleTightness(benchmark::State& state, bool rough) {
@@ -92,14 +104,8 @@ void settleTightness(benchmark::State& state, bool rough) {
                          physics::toRod(yarn, units), options);
     };
     for (auto _ : state) {
-        const double begin = cpuSeconds();
-        const CellShape wide = from(1.15, 0.95);
-        const double seconds = cpuSeconds() - begin;
-        report(state, wide, seconds);
-        const CellShape narrow = from(0.85, 1.05);
-        state.counters["kc_of_kw"] = wide.waleSpacing / wide.courseSpacing;
-        state.counters["wale_of_other"] = narrow.waleSpacing / wide.waleSpacing;
-        state.counters["course_of_other"] = narrow.courseSpacing / wide.courseSpacing;
+        settleFromBoth(state, from);
+        state.counters["kc_of_kw"] = state.counters["kc"] / state.counters["kw"];
     }
 }
 
@@ -134,15 +140,8 @@ void settleRandom(benchmark::State& state) {
         return relaxCell(found->repeat.pattern, lengths, physics::toRod(yarn, units), options);
     };
     for (auto _ : state) {
-        const double begin = cpuSeconds();
-        const CellShape wide = from(1.15, 0.95);
-        const double seconds = cpuSeconds() - begin;
-        report(state, wide, seconds);
-        const CellShape narrow = from(0.85, 1.05);
+        settleFromBoth(state, from);
         state.counters["stitches"] = static_cast<double>(lengths.size());
-        state.counters["faults_of_other"] = static_cast<double>(narrow.faults.size());
-        state.counters["wale_of_other"] = narrow.waleSpacing / wide.waleSpacing;
-        state.counters["course_of_other"] = narrow.courseSpacing / wide.courseSpacing;
     }
 }
 

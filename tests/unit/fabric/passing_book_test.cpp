@@ -27,6 +27,18 @@ struct Book {
         book.pass(pairs, 0, ++moment);
     }
 
+    /// Both at one moment, told in either order.
+    void passBoth(const PassingBook::Pair& a, const PassingBook::Pair& b, bool aFirst) {
+        const std::array pairs{aFirst ? a : b, aFirst ? b : a};
+        book.pass(pairs, 0, ++moment);
+    }
+
+    /// The first passing of the two that lie on a strand.
+    const Passing& firstOfTwo(Strand strand) const {
+        EXPECT_EQ(book.on(strand).size(), 2U);
+        return book.passings()[static_cast<std::size_t>(book.on(strand).at(0))];
+    }
+
     PassingBook book;
     std::int32_t moment = 0;
 };
@@ -76,14 +88,9 @@ TEST(PassingBook, AStrandThatPassesTheGapTwiceIsInTheWay) {
 TEST(PassingBook, WhatStoodAtOnePlaceIsPutInOrderWhenItParts) {
     for (const bool leftFirst : {true, false}) {
         Book test;
-        const PassingBook::Pair left{kX, kA, 1};
-        const PassingBook::Pair right{kX, kB, 1};
-        const std::array pairs{leftFirst ? left : right, leftFirst ? right : left};
-        test.book.pass(pairs, 0, ++test.moment);
+        test.passBoth({kX, kA, 1}, {kX, kB, 1}, leftFirst);
         test.pass(kA, kB, 1);
-        const std::vector<std::int32_t> met = test.book.on(kX);
-        ASSERT_EQ(met.size(), 2U);
-        EXPECT_EQ(test.book.passings()[static_cast<std::size_t>(met[0])].under, kA);
+        EXPECT_EQ(test.firstOfTwo(kX).under, kA);
     }
 }
 
@@ -93,13 +100,8 @@ TEST(PassingBook, WhatIsPassedAtOneMomentLiesInItsKnownOrder) {
     for (const bool leftFirst : {true, false}) {
         Book test;
         test.pass(kA, kB, 1);
-        const PassingBook::Pair right{kA, kX, -1};
-        const PassingBook::Pair left{kX, kB, 1};
-        const std::array pairs{leftFirst ? left : right, leftFirst ? right : left};
-        test.book.pass(pairs, 0, ++test.moment);
-        const std::vector<std::int32_t> met = test.book.on(kX);
-        ASSERT_EQ(met.size(), 2U);
-        EXPECT_EQ(test.book.passings()[static_cast<std::size_t>(met[0])].other(kX), kB);
+        test.passBoth({kX, kB, 1}, {kA, kX, -1}, leftFirst);
+        EXPECT_EQ(test.firstOfTwo(kX).other(kX), kB);
         test.pass(kA, kB, -1); // X lies in the gap and runs through
         EXPECT_TRUE(test.book.passings()[0].undone);
     }

@@ -9,23 +9,33 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <optional>
 
 namespace knittsim::simulation {
 namespace {
+
+/// Of a program of a real machine; nothing without such programs.
+std::optional<fabric::Fabric> realFabric(const std::filesystem::path& name) {
+    const std::filesystem::path file = test::machineData() / name;
+    if (!std::filesystem::exists(file)) {
+        return std::nullopt;
+    }
+    const auto program = formats::readProgram(file);
+    EXPECT_TRUE(program) << name;
+    return program ? std::optional(
+                         fabric::buildFabric(machine::Timeline(program.value(), machine::genericProfile())))
+                   : std::nullopt;
+}
 
 /// Small programs of real machines, with tucks on both beds, splits, waste yarn and loops let go at the end.
 class RealPrograms : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(RealPrograms, SettleWithoutAnyYarnGoingThroughAnother) {
-    const std::filesystem::path file = test::machineData() / GetParam();
-    if (!std::filesystem::exists(file)) {
+    const auto f = realFabric(GetParam());
+    if (!f) {
         GTEST_SKIP() << "no machine data";
     }
-    const auto program = formats::readProgram(file);
-    ASSERT_TRUE(program);
-    const fabric::Fabric f =
-        fabric::buildFabric(machine::Timeline(program.value(), machine::genericProfile()));
-    YarnSettling settling(f, {}, {});
+    YarnSettling settling(*f, {}, {});
     while (settling.step({})) {
     }
     const YarnAudit audit = settling.audit();
@@ -44,22 +54,19 @@ INSTANTIATE_TEST_SUITE_P(Files, RealPrograms,
 
 /// Plated: two yarns run side by side, and a chain of evenly spaced nodes alone would lose some crossings.
 TEST(YarnAudit, ChainsKeepEveryCrossingOfACurve) {
-    const std::filesystem::path file = test::machineData() / "knittingutils" / "plating.k";
-    if (!std::filesystem::exists(file)) {
+    const auto f = realFabric("knittingutils/plating.k");
+    if (!f) {
         GTEST_SKIP() << "no machine data";
     }
-    const auto program = formats::readProgram(file);
-    ASSERT_TRUE(program);
-    const fabric::Fabric f =
-        fabric::buildFabric(machine::Timeline(program.value(), machine::genericProfile()));
-    const double loopLength = fabric::meanLoopLength(f);
+    const double loopLength = fabric::meanLoopLength(*f);
     YarnLayout layout;
     layout.nodesPerLoop = 36;
     layout.waleSpacingMm = loopLength / 4.1;
     layout.courseSpacingMm = loopLength / 5.3;
-    const FabricYarns yarns = layYarns(f, {}, layout);
+    const FabricYarns yarns = layYarns(*f, {}, layout);
     const geometry::YarnCurves laid = curvesOf(yarns, yarns.chains.start());
-    const geometry::CrossingAudit audit = geometry::auditCrossings(f, laid, geometry::projectCrossings(laid));
+    const geometry::CrossingAudit audit =
+        geometry::auditCrossings(*f, laid, geometry::projectCrossings(laid));
     EXPECT_EQ(audit.found, audit.expected);
     EXPECT_GT(audit.expected, 100'000U);
 }

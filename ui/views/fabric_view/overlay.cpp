@@ -147,11 +147,11 @@ void Overlay::paintPhoto(QPainter& painter) const {
     paintPhotograph(painter, size(), m_content, photograph);
 }
 
-std::vector<Overlay::WordBox> Overlay::wordBoxes() const {
+Overlay::Head Overlay::layOut() const {
     const int height = fontMetrics().height() + 8;
     std::vector<Word> all = words();
     all.insert(all.begin(), {sideText()});
-    std::vector<WordBox> boxes;
+    Head head;
     QPoint corner(kMargin, kMargin);
     for (const Word& word : all) {
         const int sample = word.sample.isValid() ? kSample : 0;
@@ -159,36 +159,38 @@ std::vector<Overlay::WordBox> Overlay::wordBoxes() const {
         if (corner.x() > kMargin && corner.x() + size.width() > width() - kMargin) {
             corner = {kMargin, corner.y() + height + kGap};
         }
-        boxes.push_back({QRect(corner, size), word});
+        head.words.push_back({QRect(corner, size), word});
         corner.rx() += size.width() + kGap;
     }
-    return boxes;
+    head.height = corner.y() + height + kGap;
+    const auto below = [&head](const QSize& size) {
+        const QRect box({kMargin, head.height}, size);
+        head.height += size.isEmpty() ? 0 : size.height() + kGap;
+        return box;
+    };
+    head.legend = below(legendSize());
+    head.colours = below(coloursSize());
+    return head;
 }
 
 int Overlay::headHeight() const {
-    int height = wordBoxes().back().place.bottom() + 1 + kGap;
-    for (const QSize& size : {legendSize(), coloursSize()}) {
-        height += size.isEmpty() ? 0 : size.height() + kGap;
-    }
-    return height;
+    return layOut().height;
 }
 
 void Overlay::paintHead(QPainter& painter) const {
+    const Head head = layOut();
     painter.save();
     if (!m_annotations.measures) {
-        painter.translate(0, height() - headHeight()); // a class sees needles above
+        painter.translate(0, height() - head.height); // a class sees needles above
     }
-    int top = 0;
-    for (const WordBox& box : wordBoxes()) {
+    for (const WordBox& box : head.words) {
         paintWord(painter, box);
-        top = box.place.bottom() + 1 + kGap;
     }
-    if (const QSize size = legendSize(); !size.isEmpty()) {
-        paintLegend(painter, QRect({kMargin, top}, size));
-        top += size.height() + kGap;
+    if (!head.legend.isEmpty()) {
+        paintLegend(painter, head.legend);
     }
-    if (const QSize size = coloursSize(); !size.isEmpty()) {
-        paintColours(painter, QRect({kMargin, top}, size));
+    if (!head.colours.isEmpty()) {
+        paintColours(painter, head.colours);
     }
     painter.restore();
 }

@@ -43,10 +43,17 @@ protected:
 
 private:
     struct WordBox {
-        QRect place; ///< beside each other, in as many rows as they need, from the upper left corner
+        QRect place;
         Word word;
     };
-    std::vector<WordBox> wordBoxes() const;
+    /// From the upper left corner: words beside each other in as many rows as they need, legends below them.
+    struct Head {
+        std::vector<WordBox> words;
+        QRect legend;   ///< empty where none is shown
+        QRect colours;  ///< the same
+        int height = 0; ///< with room below it
+    };
+    Head layOut() const;
     QSize legendSize() const;  ///< empty where none is shown
     QSize coloursSize() const; ///< the same
     QString coloursTitle() const;

@@ -30,6 +30,10 @@ int decimals(double size) {
 
 } // namespace
 
+QString withLocalPoint(QString number) {
+    return number.replace(u'.', QLocale().decimalPoint());
+}
+
 QString shortNumber(double value) {
     const double size = std::abs(value);
     if (!std::isfinite(value)) {

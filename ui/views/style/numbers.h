@@ -13,6 +13,9 @@ QString shortNumber(double value);
 /// "10⁻³"
 QString powerOfTen(int power);
 
+/// A number as programs write it ("12.99", "1.5e-08"), with the decimal point of the locale.
+QString withLocalPoint(QString number);
+
 /// A whole number with the grouping of the locale.
 QString countText(qint64 value);
 

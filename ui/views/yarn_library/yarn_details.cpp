@@ -6,7 +6,6 @@
 
 #include <QColor>
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <cmath>
 
@@ -58,7 +57,7 @@ QString colourName(const yarn::Colour& colour) {
 } // namespace
 
 QString countAsShown(yarn::CountSystem system, double tex) {
-    return QString::fromStdString(yarn::countText(system, tex)).replace(u'.', QLocale().decimalPoint());
+    return withLocalPoint(QString::fromStdString(yarn::countText(system, tex)));
 }
 
 QString yarnDetails(const yarn::Yarn& yarn, const QPalette& palette) {

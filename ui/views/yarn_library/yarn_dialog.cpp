@@ -3,6 +3,7 @@
 #include "core/yarn/own_yarns.h"
 #include "core/yarn/yarn_library.h"
 #include "ui/views/style/appearance.h"
+#include "ui/views/style/numbers.h"
 #include "ui/views/yarn_library/yarn_details.h"
 
 #include <QColorDialog>
@@ -73,7 +74,7 @@ double densityOf(const QString& fibre) {
 
 /// As numberOf() reads it, with the decimal point of the user's language.
 QString text(double value, char format = 'g', int digits = 5) {
-    return QString::number(value, format, digits).replace(u'.', QLocale().decimalPoint());
+    return withLocalPoint(QString::number(value, format, digits));
 }
 
 } // namespace
